@@ -1,0 +1,29 @@
+# Every library we use, as imported targets that do not emit warnings of their own.
+find_package(PkgConfig REQUIRED)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(nlohmann_json 3.11 REQUIRED)
+find_package(fmt REQUIRED)
+pkg_check_modules(TOMLPLUSPLUS REQUIRED IMPORTED_TARGET tomlplusplus)
+
+# Exactly one HDF5: deal.II's and PETSc's (Open MPI) in the full build, the serial one in the online half.
+if(SWIMTWIN_ONLINE)
+  pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5-serial)
+else()
+  find_package(MPI REQUIRED COMPONENTS C CXX)
+  pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5-openmpi)
+  target_link_libraries(PkgConfig::HDF5 INTERFACE MPI::MPI_C)
+  find_package(CLI11 REQUIRED)
+
+  find_package(deal.II 9.4.1 REQUIRED)
+  add_library(swimtwin_dealii INTERFACE)
+  target_include_directories(swimtwin_dealii SYSTEM INTERFACE ${DEAL_II_INCLUDE_DIRS})
+  if(CMAKE_BUILD_TYPE STREQUAL "Debug")
+    set(SWIMTWIN_DEAL_II_LIBRARIES ${DEAL_II_LIBRARIES_DEBUG})
+    target_compile_definitions(swimtwin_dealii INTERFACE DEBUG)
+  else()
+    set(SWIMTWIN_DEAL_II_LIBRARIES ${DEAL_II_LIBRARIES_RELEASE})
+  endif()
+  # The linker keeps of deal.II's long list only what is called: a tool that starts fast.
+  target_link_options(swimtwin_dealii INTERFACE -Wl,--as-needed)
+  target_link_libraries(swimtwin_dealii INTERFACE ${SWIMTWIN_DEAL_II_LIBRARIES} MPI::MPI_CXX)
+endif()

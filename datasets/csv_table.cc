@@ -1,0 +1,129 @@
+#include <datasets/csv_table.h>
+#include <datasets/error.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+namespace swimtwin
+{
+  namespace
+  {
+    std::string trim(const std::string &text)
+    {
+      const char *blanks = " \t\r";
+      const auto  first  = text.find_first_not_of(blanks);
+      return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(blanks) - first + 1);
+    }
+
+    std::vector<std::string> split_cells(const std::string &line)
+    {
+      std::vector<std::string> cells;
+      std::size_t              begin = 0;
+      for (std::size_t comma = line.find(','); comma != std::string::npos; comma = line.find(',', begin))
+      {
+        cells.push_back(trim(line.substr(begin, comma - begin)));
+        begin = comma + 1;
+      }
+      cells.push_back(trim(line.substr(begin)));
+      return cells;
+    }
+
+    std::optional<double> parse_number(const std::string &cell)
+    {
+      double      value = 0.;
+      const char *begin = cell.data() + (cell.starts_with('+') ? 1 : 0), *end = cell.data() + cell.size();
+      const auto [rest, error] = std::from_chars(begin, end, value);
+      if (error != std::errc() || rest != end || !std::isfinite(value))
+        return std::nullopt;
+      return value;
+    }
+  } // namespace
+
+  std::string read_text_file(const std::filesystem::path &file, const std::string &what)
+  {
+    std::error_code error;
+    const bool      is_folder = std::filesystem::is_directory(file, error);
+    errno                     = 0;
+    std::ifstream stream(file, std::ios::binary);
+    if (is_folder || !stream)
+      throw InputError(fmt::format("cannot read {} {}: {}.", what, file.string(),
+                                   std::strerror(is_folder ? EISDIR : (errno != 0 ? errno : EIO))));
+    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  }
+
+  CsvTable CsvTable::read(const std::filesystem::path &file)
+  {
+    CsvTable           table;
+    std::istringstream stream(read_text_file(file, "the table"));
+    table.file_      = file.string();
+    std::size_t line = 0;
+    for (std::string text; std::getline(stream, text);)
+    {
+      ++line;
+      if (line == 1 && text.starts_with("\xEF\xBB\xBF"))
+        text.erase(0, 3); // byte order mark
+      const std::string content = trim(text);
+      if (content.empty() || content.starts_with('#'))
+        continue;
+      Row row{line, split_cells(content)};
+      if (table.header_.empty())
+      {
+        table.header_      = row.cells;
+        table.header_line_ = line;
+        continue;
+      }
+      if (row.cells.size() != table.header_.size())
+        throw InputError(fmt::format("{}:{}: this row has {} values but the header names {} columns.", table.file_,
+                                     line, row.cells.size(), table.header_.size()));
+      table.rows_.push_back(std::move(row));
+    }
+    if (table.header_.empty())
+      throw InputError(fmt::format("{}:1: the file is empty; a header line of column names is needed.", table.file_));
+    return table;
+  }
+
+  std::optional<std::size_t> CsvTable::find_column(const std::string &name) const
+  {
+    const auto found = std::find(header_.begin(), header_.end(), name);
+    if (found == header_.end())
+      return std::nullopt;
+    return static_cast<std::size_t>(found - header_.begin());
+  }
+
+  bool CsvTable::has_column(const std::string &name) const
+  {
+    return find_column(name).has_value();
+  }
+
+  std::string CsvTable::where(const std::size_t row) const
+  {
+    return fmt::format("{}:{}", file_, row < rows_.size() ? rows_[row].line : header_line_);
+  }
+
+  std::vector<double> CsvTable::column(const std::string &name) const
+  {
+    const std::optional<std::size_t> index = find_column(name);
+    if (!index)
+      throw InputError(fmt::format("{}:{}: the column {} is missing; the header has {}.", file_, header_line_, name,
+                                   fmt::join(header_, ",")));
+    std::vector<double> values;
+    values.reserve(rows_.size());
+    for (const Row &row : rows_)
+    {
+      const std::optional<double> value = parse_number(row.cells[*index]);
+      if (!value)
+        throw InputError(
+            fmt::format("{}:{}: {} = \"{}\" is not a finite number.", file_, row.line, name, row.cells[*index]));
+      values.push_back(*value);
+    }
+    return values;
+  }
+} // namespace swimtwin

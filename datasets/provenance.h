@@ -1,0 +1,23 @@
+// Where an output came from.
+#pragma once
+
+#include <string>
+
+namespace swimtwin
+{
+  struct Provenance
+  {
+    std::string program_version; ///< of this build, `swimtwin 0.1.0 (commit)`
+    std::string command_line;
+    std::string scene_text;
+    std::string scene_hash;
+    std::string created; ///< UTC, ISO 8601
+    double      wall_time_s = 0.;
+  };
+
+  /// SHA-256 of a text, hexadecimal.
+  std::string digest(const std::string &text);
+
+  /// Now in UTC, ISO 8601 to the second: 2025-01-31T12:00:00Z.
+  std::string utc_time_now();
+} // namespace swimtwin

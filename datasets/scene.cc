@@ -1,0 +1,23 @@
+#include <datasets/scene.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace swimtwin
+{
+  double Head::area_m2() const
+  {
+    const double box = size_m[0] * size_m[1];
+    return shape == HeadShape::rectangle ? box : 0.25 * std::numbers::pi * box;
+  }
+
+  int TimeSettings::n_steps() const
+  {
+    return static_cast<int>(std::lround(periods * steps_per_period));
+  }
+
+  double Scene::body_length_m() const
+  {
+    return head.size_m[0] + (tail ? tail->length_m : 0.);
+  }
+} // namespace swimtwin

@@ -1,0 +1,212 @@
+#include <datasets/error.h>
+#include <datasets/toml_table.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace swimtwin
+{
+  namespace
+  {
+    std::size_t edit_distance(const std::string_view a, const std::string_view b)
+    {
+      std::vector<std::size_t> row(b.size() + 1);
+      std::iota(row.begin(), row.end(), 0u);
+      for (std::size_t i = 0; i < a.size(); ++i)
+      {
+        std::size_t diagonal = row[0];
+        row[0]               = i + 1;
+        for (std::size_t j = 0; j < b.size(); ++j)
+        {
+          const std::size_t above = row[j + 1];
+          row[j + 1]              = std::min({above + 1, row[j] + 1, diagonal + (a[i] == b[j] ? 0u : 1u)});
+          diagonal                = above;
+        }
+      }
+      return row.back();
+    }
+
+    std::string in_unit(const std::string_view unit)
+    {
+      return unit.empty() ? std::string() : fmt::format(" in {}", unit);
+    }
+
+    std::string number_words(const Quantity &quantity)
+    {
+      return fmt::format("a number{}", in_unit(quantity.unit));
+    }
+
+    std::string join_words(const std::vector<std::string> &words)
+    {
+      return fmt::format("\"{}\"", fmt::join(words, "\", \""));
+    }
+  } // namespace
+
+  std::string nearest_name(const std::string_view word, const std::vector<std::string> &candidates)
+  {
+    const auto closer = [&](const std::string &a, const std::string &b) {
+      return edit_distance(word, a) < edit_distance(word, b);
+    };
+    const auto best = std::min_element(candidates.begin(), candidates.end(), closer);
+    return best == candidates.end() ? std::string() : *best;
+  }
+
+  bool Range::contains(const double value) const
+  {
+    const bool above = low_excluded ? value > low : value >= low;
+    const bool below = high_excluded ? value < high : value <= high;
+    return std::isfinite(value) && above && below;
+  }
+
+  TomlTable::TomlTable(const TomlDocument &document, std::string path) : document_(document), path_(std::move(path))
+  {
+    const toml::node *node = document.find(path_);
+    if (node == nullptr)
+      return;
+    table_ = node->as_table();
+    if (table_ == nullptr)
+      document.refuse("", path_, "must be a table of entries.");
+  }
+
+  void TomlTable::note(const std::string &key, const std::string &problem)
+  {
+    problems_.push_back(document_.sentence(path_, key, problem));
+  }
+
+  void TomlTable::wrong_type(const std::string &key, const std::string &expected)
+  {
+    note(key, fmt::format("has the wrong type; {} is needed.", expected));
+  }
+
+  const toml::node *TomlTable::entry(const std::string &key, const Need need, const std::string &expected)
+  {
+    known_.push_back(key);
+    if (has(key))
+      return table_->get(key);
+    if (present() && need == Need::required)
+      note(key, fmt::format("is missing; add it as {}.", expected));
+    return nullptr;
+  }
+
+  std::optional<double> TomlTable::read_number(const std::string &key, const toml::node &node, const Quantity &quantity)
+  {
+    if (!node.is_number())
+      return std::nullopt;
+    const double value = *node.value<double>();
+    if (!quantity.range.contains(value))
+      note(key, fmt::format("is out of range; it must {}{}.", quantity.range.words,
+                            quantity.unit.empty() ? "" : fmt::format(" (unit: {})", quantity.unit)));
+    return value;
+  }
+
+  void TomlTable::number(const std::string &key, const Quantity &quantity, double &target)
+  {
+    std::optional<double> value;
+    number(key, quantity, value);
+    target = value.value_or(target);
+  }
+
+  void TomlTable::number(const std::string &key, const Quantity &quantity, std::optional<double> &target)
+  {
+    const toml::node *node = entry(key, quantity.need, number_words(quantity));
+    if (node == nullptr)
+      return;
+    target = read_number(key, *node, quantity);
+    if (!target)
+      wrong_type(key, number_words(quantity));
+  }
+
+  void TomlTable::pair(const std::string &key, const Quantity &quantity, std::array<double, 2> &target)
+  {
+    const std::string expected = fmt::format("an array of two numbers [x, y]{}", in_unit(quantity.unit));
+    const toml::node *node     = entry(key, quantity.need, expected);
+    if (node == nullptr)
+      return;
+    const toml::array *array = node->as_array();
+    if (array == nullptr || array->size() != 2)
+      return wrong_type(key, expected);
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+      const std::optional<double> value = read_number(key, *array->get(i), quantity);
+      if (!value)
+        return wrong_type(key, expected);
+      target[i] = *value;
+    }
+  }
+
+  void TomlTable::integer(const std::string &key, const Quantity &quantity, int &target)
+  {
+    const toml::node *node = entry(key, quantity.need, "a whole number");
+    if (node == nullptr)
+      return;
+    if (!node->is_integer())
+      return wrong_type(key, "a whole number");
+    const double value = *read_number(key, *node, quantity);
+    if (std::abs(value) > std::numeric_limits<int>::max())
+      return note(key, "is out of range; it must be smaller.");
+    target = static_cast<int>(value);
+  }
+
+  void TomlTable::flag(const std::string &key, bool &target)
+  {
+    const toml::node *node = entry(key, Need::optional, "true or false");
+    if (node == nullptr)
+      return;
+    if (!node->is_boolean())
+      return wrong_type(key, "true or false");
+    target = *node->value<bool>();
+  }
+
+  void TomlTable::text(const std::string &key, std::string &target)
+  {
+    const toml::node *node = entry(key, Need::optional, "a text in quotes");
+    if (node == nullptr)
+      return;
+    if (!node->is_string())
+      return wrong_type(key, "a text in quotes");
+    target = *node->value<std::string>();
+  }
+
+  void TomlTable::table(const std::string &key)
+  {
+    known_.push_back(key);
+  }
+
+  std::optional<std::size_t> TomlTable::choose(const std::string &key, const Need need,
+                                               const std::vector<std::string> &words)
+  {
+    const std::string expected = fmt::format("one of {}", join_words(words));
+    const toml::node *node     = entry(key, need, expected);
+    if (node == nullptr)
+      return std::nullopt;
+    const auto value = node->value<std::string>();
+    const auto found = std::find(words.begin(), words.end(), value.value_or(std::string()));
+    if (found != words.end())
+      return static_cast<std::size_t>(found - words.begin());
+    if (value)
+      note(key, fmt::format("is not known; the nearest is \"{}\" ({}).", nearest_name(*value, words), expected));
+    else
+      wrong_type(key, expected);
+    return std::nullopt;
+  }
+
+  void TomlTable::finish() const
+  {
+    if (!present())
+      return;
+    for (const auto &[key, node] : *table_)
+      if (const std::string word(key.str()); std::find(known_.begin(), known_.end(), word) == known_.end())
+      {
+        const std::string kind   = node.is_table() ? "table" : "entry";
+        const std::string prefix = path_.empty() ? "" : fmt::format("[{}] ", path_);
+        throw InputError(fmt::format("{}: {}{} is not a known {}; the nearest known name is {}.",
+                                     document_.where(join_path(path_, word)), prefix, word, kind,
+                                     nearest_name(word, known_)));
+      }
+    if (!problems_.empty())
+      throw InputError(problems_.front());
+  }
+} // namespace swimtwin

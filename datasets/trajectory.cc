@@ -1,0 +1,167 @@
+#include <datasets/csv_table.h>
+#include <datasets/error.h>
+#include <datasets/output_folder.h>
+#include <datasets/trajectory.h>
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <span>
+#include <variant>
+
+namespace swimtwin
+{
+  namespace
+  {
+    struct Column
+    {
+      const char                                                                        *name;
+      std::variant<double TrajectoryRow::*, int TrajectoryRow::*, bool TrajectoryRow::*> member;
+    };
+
+    const std::array<Column, 19> columns{{
+        {"time_s", &TrajectoryRow::time_s},
+        {"head_x_m", &TrajectoryRow::head_x_m},
+        {"head_y_m", &TrajectoryRow::head_y_m},
+        {"head_angle_rad", &TrajectoryRow::head_angle_rad},
+        {"tail_tip_x_m", &TrajectoryRow::tail_tip_x_m},
+        {"tail_tip_y_m", &TrajectoryRow::tail_tip_y_m},
+        {"tail_angle_rad", &TrajectoryRow::tail_angle_rad},
+        {"bx_T", &TrajectoryRow::bx_T},
+        {"by_T", &TrajectoryRow::by_T},
+        {"magnetic_power_W_m", &TrajectoryRow::magnetic_power_W_m},
+        {"external_power_W_m", &TrajectoryRow::external_power_W_m},
+        {"dissipation_W_m", &TrajectoryRow::dissipation_W_m},
+        {"elastic_energy_J_m", &TrajectoryRow::elastic_energy_J_m},
+        {"head_force_x_N_m", &TrajectoryRow::head_force_x_N_m},
+        {"head_force_y_N_m", &TrajectoryRow::head_force_y_N_m},
+        {"head_torque_N", &TrajectoryRow::head_torque_N},
+        {"coupling_iterations", &TrajectoryRow::coupling_iterations},
+        {"n_unknowns", &TrajectoryRow::n_unknowns},
+        {"remeshed", &TrajectoryRow::remeshed},
+    }};
+
+    double value_of(const TrajectoryRow &row, const Column &column)
+    {
+      return std::visit([&](const auto member) { return static_cast<double>(row.*member); }, column.member);
+    }
+
+    void set_value(TrajectoryRow &row, const Column &column, const double value)
+    {
+      std::visit(
+          [&](const auto member) {
+            using Type = std::remove_reference_t<decltype(row.*member)>;
+            if constexpr (std::is_same_v<Type, bool>)
+              row.*member = value != 0.;
+            else
+              row.*member = static_cast<Type>(value);
+          },
+          column.member);
+    }
+
+    std::string csv_line(const TrajectoryRow &row)
+    {
+      std::vector<std::string> cells;
+      for (const Column &column : columns)
+      {
+        const double value = value_of(row, column);
+        if (!std::isfinite(value))
+          throw ComputationError(fmt::format("{} at time {} s is not a finite number", column.name, row.time_s));
+        cells.push_back(fmt::format("{:.17g}", value));
+      }
+      return fmt::format("{}\n", fmt::join(cells, ","));
+    }
+
+    double integrate(const std::span<const TrajectoryRow> rows, double (*const rate)(const TrajectoryRow &))
+    {
+      double integral = 0.;
+      for (std::size_t i = 1; i < rows.size(); ++i)
+        integral += 0.5 * (rows[i].time_s - rows[i - 1].time_s) * (rate(rows[i]) + rate(rows[i - 1]));
+      return integral;
+    }
+
+    /// (work in - dissipation - gain of elastic energy) / |magnetic work|. Without magnetic work (below round-off of
+    /// the dissipation) it is relative to the dissipation; with neither it is 0.
+    double power_imbalance(const std::span<const TrajectoryRow> rows)
+    {
+      const double magnetic    = integrate(rows, [](const TrajectoryRow &row) { return row.magnetic_power_W_m; });
+      const double external    = integrate(rows, [](const TrajectoryRow &row) { return row.external_power_W_m; });
+      const double dissipation = integrate(rows, [](const TrajectoryRow &row) { return row.dissipation_W_m; });
+      const double elastic     = rows.back().elastic_energy_J_m - rows.front().elastic_energy_J_m;
+      const double scale =
+          std::abs(magnetic) > 1e-12 * std::abs(dissipation) ? std::abs(magnetic) : std::abs(dissipation);
+      return scale > 0. ? (magnetic + external - dissipation - elastic) / scale : 0.;
+    }
+
+    /// Index of the row at every full multiple of the period after the first row, that one included.
+    std::vector<std::size_t> period_borders(const Trajectory &trajectory, const double period_s)
+    {
+      constexpr double         tolerance = 1e-9;
+      std::vector<std::size_t> borders;
+      for (std::size_t i = 0; i < trajectory.size(); ++i)
+      {
+        const double periods = (trajectory[i].time_s - trajectory.front().time_s) / period_s;
+        const double next    = static_cast<double>(borders.size());
+        if (std::abs(periods - next) <= tolerance * std::max(1., next))
+          borders.push_back(i);
+        else if (periods > next)
+          throw InputError(
+              fmt::format("the trajectory has no row at the end of period {} ({} s)", borders.size(), next * period_s));
+      }
+      return borders;
+    }
+  } // namespace
+
+  void summarize_motion(const Trajectory &trajectory, const double period_s, const double initial_angle_rad,
+                        RunSummary &summary)
+  {
+    summary.displacement_per_period_m.clear();
+    summary.net_displacement_m = summary.power_imbalance = summary.worst_power_imbalance = 0.;
+
+    const double                   dx = -std::cos(initial_angle_rad), dy = -std::sin(initial_angle_rad);
+    const std::vector<std::size_t> borders = period_borders(trajectory, period_s);
+    for (std::size_t k = 1; k < borders.size(); ++k)
+    {
+      const std::span rows(trajectory.data() + borders[k - 1], borders[k] - borders[k - 1] + 1);
+      summary.net_displacement_m =
+          dx * (rows.back().head_x_m - rows.front().head_x_m) + dy * (rows.back().head_y_m - rows.front().head_y_m);
+      summary.displacement_per_period_m.push_back(summary.net_displacement_m);
+      summary.power_imbalance = power_imbalance(rows);
+      if (std::abs(summary.power_imbalance) > std::abs(summary.worst_power_imbalance))
+        summary.worst_power_imbalance = summary.power_imbalance;
+    }
+  }
+
+  void write_trajectory_csv(const std::filesystem::path &file, const Trajectory &trajectory)
+  {
+    std::vector<std::string> names;
+    for (const Column &column : columns)
+      names.emplace_back(column.name);
+    std::string text = fmt::format("{}\n", fmt::join(names, ","));
+    try
+    {
+      for (const TrajectoryRow &row : trajectory)
+        text += csv_line(row);
+    }
+    catch (const ComputationError &error)
+    {
+      throw ComputationError(fmt::format("cannot write {}: {}", file.string(), error.what()));
+    }
+    write_text_atomically(file, text);
+  }
+
+  Trajectory read_trajectory_csv(const std::filesystem::path &file)
+  {
+    const CsvTable table = CsvTable::read(file);
+    Trajectory     trajectory(table.n_rows());
+    for (const Column &column : columns)
+    {
+      const std::vector<double> values = table.column(column.name);
+      for (std::size_t i = 0; i < values.size(); ++i)
+        set_value(trajectory[i], column, values[i]);
+    }
+    return trajectory;
+  }
+} // namespace swimtwin

@@ -1,0 +1,298 @@
+#include <fom/coupled_system.h>
+
+#include <deal.II/base/mpi.h>
+
+namespace swimtwin
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    std::unique_ptr<NodeNumbering<dim>> number_tail(const Swimmer<dim> &swimmer)
+    {
+      return swimmer.has_tail() ? std::make_unique<NodeNumbering<dim>>(swimmer.tail().mesh, false) : nullptr;
+    }
+
+    /// The blocks of a cell's tangent, turned to the laboratory: R K R^T.
+    template <int dim, typename Matrix>
+    void rotate(const Tensor<2, dim> &R, Matrix &K)
+    {
+      for (unsigned int a = 0; a < n_cell_nodes<dim>; ++a)
+        for (unsigned int b = 0; b < n_cell_nodes<dim>; ++b)
+        {
+          Tensor<2, dim> block;
+          for (int i = 0; i < dim; ++i)
+            for (int j = 0; j < dim; ++j)
+              block[i][j] = K[a * dim + i][b * dim + j];
+          block = R * block * transpose(R);
+          for (int i = 0; i < dim; ++i)
+            for (int j = 0; j < dim; ++j)
+              K[a * dim + i][b * dim + j] = block[i][j];
+        }
+    }
+  } // namespace
+
+  template <int dim>
+  CoupledSystem<dim>::CoupledSystem(const Swimmer<dim> &swimmer, FluidDomain<dim> *fluid, LinearSystem &system, const MPI_Comm communicator)
+    : swimmer_(swimmer), fluid_(fluid), system_(system), n_fluid_rows_(fluid ? fluid->n_rows() : 0),
+      rank_(Utilities::MPI::this_mpi_process(communicator)), n_ranks_(Utilities::MPI::n_mpi_processes(communicator)),
+      tail_numbering_(number_tail(swimmer)),
+      map_(n_fluid_rows_, tail_numbering_ ? tail_numbering_->size() : 0, swimmer.scene().body_length_m()), condensation_(map_)
+  {
+    if (tail_numbering_)
+      describe_tail();
+    if (fluid_)
+    {
+      // A tail that can change its area fixes the pressure's level by itself; a rigid body in a closed domain does not.
+      fluid_->describe(map_, !swimmer.has_tail() && !has_traction_free_wall(*swimmer.scene().domain));
+      describe_surface();
+    }
+    std::vector<unsigned int> owner;
+    for (unsigned int row = 0; row < n_fluid_rows_; ++row)
+      owner.push_back(fluid_->row_owner(row));
+    for (unsigned int row = n_fluid_rows_; row < map_.n_rows(); ++row)
+      owner.push_back(tail_numbering_->owner(row - n_fluid_rows_));
+    map_.close(owner, !swimmer.scene().head.fixed, communicator);
+
+    if (fluid_)
+      fluid_->add_cells(condensation_);
+    if (tail_numbering_)
+    {
+      const auto &mesh = swimmer.tail().mesh;
+      for (unsigned int c = 0; c < mesh.n_cells(); ++c)
+        if (mesh.is_owned(c))
+        {
+          std::vector<unsigned int> rows;
+          for (const auto node : mesh.cells[c])
+            for (int i = 0; i < dim; ++i)
+              rows.push_back(tail_row(node, i));
+          const auto number = condensation_.add_cell(rows);
+          if (tail_cells_.empty())
+            first_tail_cell_ = number;
+          tail_cells_.push_back(c);
+        }
+    }
+    if (map_.head_is_free() && rank_ + 1 == n_ranks_)
+      rotation_entry_ = condensation_.add_entry(map_.first_head_unknown() + dim);
+    condensation_.lay_out(system_);
+  }
+
+  template <int dim>
+  void CoupledSystem<dim>::describe_tail()
+  {
+    const auto &mesh = swimmer_.tail().mesh;
+    for (unsigned int a = 0; a < mesh.n_nodes(); ++a)
+      for (int c = 0; c < dim; ++c)
+        if (swimmer_.is_clamped(a))
+          map_.tie_to_head(tail_row(a, c), c, mesh.nodes[a]);
+        else if (a >= mesh.n_vertices() && swimmer_.scene().numerics.tail_order == 1)
+        {
+          // Linear displacement: a mid-edge node moves with the mean of the edge's ends.
+          const auto &[v, w] = mesh.edges()[a - mesh.n_vertices()];
+          map_.tie(tail_row(a, c), {tail_row(v, c), tail_row(w, c)});
+        }
+  }
+
+  template <int dim>
+  void CoupledSystem<dim>::describe_surface()
+  {
+    for (unsigned int k = 0; k < swimmer_.n_surface_nodes(); ++k)
+      for (int c = 0; c < dim; ++c)
+      {
+        const int node = swimmer_.tail_node(k);
+        if (node < 0)
+          map_.tie_to_head(fluid_->surface_row(k, c), c, swimmer_.surface_at_rest(k));
+        else
+          map_.tie(fluid_->surface_row(k, c), {tail_row(node, c)});
+      }
+  }
+
+  template <int dim>
+  bool CoupledSystem<dim>::solve(const LinearizationPoint<dim> &point, std::vector<double> &unknowns)
+  {
+    map_.set_rotation(point.configuration.pose.rotation());
+    if (fluid_)
+      fluid_->set_wall_velocities(map_, point.time_s);
+    condensation_.reset();
+    if (fluid_)
+      fluid_->assemble(condensation_);
+    if (tail_numbering_)
+      assemble_tail(point);
+    if (map_.head_is_free())
+      assemble_head(point);
+    system_.set_matrix(condensation_.values());
+    system_.set_right_hand_side(condensation_.right_hand_side());
+    return system_.solve(unknowns);
+  }
+
+  template <int dim>
+  void CoupledSystem<dim>::assemble_tail(const LinearizationPoint<dim> &point)
+  {
+    // To first order a position is the step's slope weight times the velocity, so with K the tangent in the laboratory
+    //   f(x) ~ f(x_k) + slope K (w - w_k).
+    const Tensor<2, dim>                    R     = point.configuration.pose.rotation();
+    const NodalField<dim>                   w     = swimmer_.tail_velocities(point.configuration, point.rates);
+    const auto                             &cells = swimmer_.tail().mesh.cells;
+    typename ElasticTail<dim>::CellForce    force;
+    typename ElasticTail<dim>::CellTangent  K;
+    constexpr unsigned int                  n = ElasticTail<dim>::n_cell_dofs;
+    std::array<double, n>                   load;
+    for (unsigned int k = 0; k < tail_cells_.size(); ++k)
+    {
+      const auto c = tail_cells_[k];
+      swimmer_.elasticity().cell_force_and_tangent(c, point.configuration.shape, force, K);
+      rotate(R, K);
+      for (unsigned int a = 0; a < n_cell_nodes<dim>; ++a)
+      {
+        Tensor<1, dim> f;
+        for (int i = 0; i < dim; ++i)
+          f[i] = force[a * dim + i];
+        f = R * f;
+        for (int i = 0; i < dim; ++i)
+        {
+          double &value = load[a * dim + i];
+          value         = -f[i];
+          for (unsigned int j = 0; j < n; ++j)
+          {
+            K[a * dim + i][j] *= point.slope_weight;
+            value += K[a * dim + i][j] * w[cells[c][j / dim]][j % dim];
+          }
+        }
+      }
+      condensation_.add(first_tail_cell_ + k, K, load);
+    }
+    for (unsigned int a = 0; a < swimmer_.tail().mesh.n_nodes(); ++a)
+    {
+      const Tensor<1, dim> dead_load = swimmer_.load_on_tail_node(a, point.time_s);
+      for (int c = 0; c < dim; ++c)
+        if (tail_numbering_->owner(tail_numbering_->vector_index(a, c)) == rank_)
+          map_.add_load(tail_row(a, c), dead_load[c], condensation_.right_hand_side());
+    }
+  }
+
+  template <int dim>
+  void CoupledSystem<dim>::assemble_head(const LinearizationPoint<dim> &point)
+  {
+    if (rank_ + 1 != n_ranks_)
+      return;
+    const double               length = map_.length_scale();
+    const unsigned int         first  = map_.first_head_unknown();
+    auto                      &rhs    = condensation_.right_hand_side();
+    const Tensor<1, dim>       force  = swimmer_.force_on_head(point.time_s);
+    for (int c = 0; c < dim; ++c)
+      rhs[first + c] += force[c];
+    const auto [torque, derivative] = swimmer_.torque_on_head(point.configuration.pose.angle, point.time_s);
+    const double slope              = derivative * point.slope_weight;
+    rhs[first + dim] += (torque - slope * point.rates.omega[0]) / length;
+    condensation_.add_to_entry(rotation_entry_, -slope / (length * length));
+  }
+
+  template <int dim>
+  CoupledVelocities<dim> CoupledSystem<dim>::velocities(const std::vector<double> &unknowns) const
+  {
+    CoupledVelocities<dim> v;
+    if (map_.head_is_free())
+    {
+      for (int c = 0; c < dim; ++c)
+        v.head_velocity[c] = unknowns[map_.first_head_unknown() + c];
+      for (int k = 0; k < n_rotations<dim>; ++k)
+        v.head_omega[k] = unknowns[map_.first_head_unknown() + dim + k] / map_.length_scale();
+    }
+    if (tail_numbering_)
+    {
+      const std::vector<double> rows = map_.expand(unknowns);
+      v.tail.resize(swimmer_.tail().mesh.n_nodes());
+      for (unsigned int a = 0; a < v.tail.size(); ++a)
+        for (int c = 0; c < dim; ++c)
+          v.tail[a][c] = rows[tail_row(a, c)];
+    }
+    return v;
+  }
+
+  template <int dim>
+  std::vector<double> CoupledSystem<dim>::guess(const CoupledVelocities<dim> &v) const
+  {
+    std::vector<double> unknowns(map_.n_unknowns(), 0.);
+    if (map_.head_is_free())
+    {
+      for (int c = 0; c < dim; ++c)
+        unknowns[map_.first_head_unknown() + c] = v.head_velocity[c];
+      for (int k = 0; k < n_rotations<dim>; ++k)
+        unknowns[map_.first_head_unknown() + dim + k] = v.head_omega[k] * map_.length_scale();
+    }
+    for (unsigned int a = 0; a < v.tail.size(); ++a)
+      for (int c = 0; c < dim; ++c)
+      {
+        const unsigned int row = tail_row(a, c);
+        if (!swimmer_.is_clamped(a) && map_.end(row) - map_.begin(row) == 1)
+          unknowns[map_.begin(row)->unknown] = v.tail[a][c];
+      }
+    return unknowns;
+  }
+
+  template <int dim>
+  NodalField<dim> CoupledSystem<dim>::tail_forces(const Configuration<dim> &configuration, const double time_s) const
+  {
+    const Tensor<2, dim>                 R    = configuration.pose.rotation();
+    const auto                          &mesh = swimmer_.tail().mesh;
+    NodalField<dim>                      result(mesh.n_nodes());
+    typename ElasticTail<dim>::CellForce force;
+    for (unsigned int c = 0; c < mesh.n_cells(); ++c)
+    {
+      swimmer_.elasticity().cell_force(c, configuration.shape, force);
+      for (unsigned int a = 0; a < n_cell_nodes<dim>; ++a)
+        for (int i = 0; i < dim; ++i)
+          result[mesh.cells[c][a]][i] += force[a * dim + i];
+    }
+    for (unsigned int a = 0; a < mesh.n_nodes(); ++a)
+      result[a] = R * result[a] - swimmer_.load_on_tail_node(a, time_s);
+    return result;
+  }
+
+  template <int dim>
+  PowerBalance CoupledSystem<dim>::balance(const Configuration<dim> &configuration, const Rates<dim> &rates,
+                                           const std::vector<double> &unknowns, const double time_s) const
+  {
+    PowerBalance        balance;
+    std::vector<double> force(map_.n_rows(), 0.);
+    if (fluid_)
+    {
+      const FluidReaction reaction = fluid_->react(map_.expand(unknowns));
+      balance.dissipation          = reaction.dissipation;
+      balance.wall                 = reaction.wall_power;
+      std::copy(reaction.force.begin(), reaction.force.end(), force.begin());
+    }
+    const double torque = swimmer_.torque_on_head(configuration.pose.angle, time_s).torque;
+    balance.magnetic    = torque * rates.omega[0];
+    balance.gravity     = swimmer_.force_on_head(time_s) * rates.velocity;
+    if (tail_numbering_)
+    {
+      balance.elastic_energy = swimmer_.elasticity().energy(configuration.shape);
+      const auto w           = swimmer_.tail_velocities(configuration, rates);
+      const auto f           = tail_forces(configuration, time_s);
+      const auto field       = swimmer_.scene().field(time_s);
+      for (unsigned int a = 0; a < w.size(); ++a)
+      {
+        Tensor<1, dim> magnetic;
+        for (int c = 0; c < dim; ++c)
+          magnetic[c] = swimmer_.scene().tail->magnetization_A_m * swimmer_.elasticity().axial_gradient_of_node()[a] * field[c];
+        balance.magnetic += magnetic * w[a];
+        balance.gravity += (swimmer_.load_on_tail_node(a, time_s) - magnetic) * w[a];
+        for (int c = 0; c < dim; ++c)
+          force[tail_row(a, c)] += f[a][c];
+      }
+    }
+    if (!map_.head_is_free())
+    {
+      const auto load = map_.load_on_head(force);
+      const auto head = swimmer_.force_on_head(time_s);
+      for (int c = 0; c < dim; ++c)
+        balance.load_that_holds_head[c] = load[c] - head[c];
+      balance.load_that_holds_head[2] = load[dim] - torque;
+    }
+    return balance;
+  }
+
+  template class CoupledSystem<2>;
+} // namespace swimtwin

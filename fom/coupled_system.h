@@ -1,0 +1,80 @@
+// One linear system for fluid, tail and head velocities: the monolithic coupling, P^T A P.
+#pragma once
+
+#include <fom/fluid_domain.h>
+#include <fom/swimmer.h>
+
+namespace swimtwin
+{
+  /// Point of linearisation of one coupling iteration.
+  template <int dim>
+  struct LinearizationPoint
+  {
+    const Configuration<dim> &configuration;
+    const Rates<dim>         &rates;
+    double                    slope_weight; ///< d(position)/d(velocity) of the time step, s
+    double                    time_s;
+  };
+
+  /// What was solved for, nodal.
+  template <int dim>
+  struct CoupledVelocities
+  {
+    dealii::Tensor<1, dim> head_velocity;
+    AngularVelocity<dim>   head_omega;
+    NodalField<dim>        tail; ///< laboratory velocities, m/s
+  };
+
+  /// Powers and reactions of one accepted instant (per unit depth in 2D).
+  struct PowerBalance
+  {
+    double magnetic = 0., gravity = 0., wall = 0., dissipation = 0., elastic_energy = 0.;
+    std::array<double, 3> load_that_holds_head = {0., 0., 0.}; ///< force x, y, torque; zero for a free head
+  };
+
+  /// Lives as long as the fluid's mesh (for ever without fluid), because its pattern does.
+  template <int dim>
+  class CoupledSystem
+  {
+  public:
+    /// `fluid` may be null: a tail in vacuum. Both must outlive this. Collective.
+    CoupledSystem(const Swimmer<dim> &swimmer, FluidDomain<dim> *fluid, LinearSystem &system, MPI_Comm communicator);
+
+    /// Assemble at a point (the fluid's mesh is already there) and solve. `unknowns` holds the initial guess, then the
+    /// solution. False if the linear solver failed. Collective.
+    bool solve(const LinearizationPoint<dim> &point, std::vector<double> &unknowns);
+
+    CoupledVelocities<dim> velocities(const std::vector<double> &unknowns) const;
+    /// Unknowns with the body's velocities in their places and the fluid at rest: a guess after remeshing.
+    std::vector<double> guess(const CoupledVelocities<dim> &velocities) const;
+    /// Rows' values: fluid (velocities, scaled pressures), then tail.
+    std::vector<double> expand(const std::vector<double> &unknowns) const { return map_.expand(unknowns); }
+
+    PowerBalance balance(const Configuration<dim> &configuration, const Rates<dim> &rates, const std::vector<double> &unknowns,
+                         double time_s) const;
+
+    unsigned int n_unknowns() const { return map_.n_unknowns(); }
+
+  private:
+    void describe_tail();
+    void describe_surface();
+    void assemble_tail(const LinearizationPoint<dim> &point);
+    void assemble_head(const LinearizationPoint<dim> &point);
+    unsigned int tail_row(const unsigned int node, const unsigned int component) const
+    {
+      return n_fluid_rows_ + tail_numbering_->vector_index(node, component);
+    }
+    NodalField<dim> tail_forces(const Configuration<dim> &configuration, double time_s) const;
+
+    const Swimmer<dim>                 &swimmer_;
+    FluidDomain<dim>                   *fluid_;
+    LinearSystem                       &system_;
+    unsigned int                        n_fluid_rows_, rank_, n_ranks_;
+    std::unique_ptr<NodeNumbering<dim>> tail_numbering_;
+    MotionMap<dim>                      map_;
+    Condensation<dim>                   condensation_;
+    std::vector<unsigned int>           tail_cells_;      ///< owned
+    unsigned int                        first_tail_cell_ = 0; ///< its number in the condensation
+    unsigned int                        rotation_entry_  = 0;
+  };
+} // namespace swimtwin

@@ -1,0 +1,163 @@
+#include <fom/linear_system.h>
+
+#include <datasets/error.h>
+
+#include <cmath>
+#include <ctime>
+#include <string>
+
+namespace swimtwin
+{
+  namespace
+  {
+    void check(const PetscErrorCode code, const char *what)
+    {
+      if (code != 0)
+        throw ComputationError(std::string("the linear algebra failed while it ") + what + " (PETSc error " +
+                               std::to_string(code) + "): most likely memory is short; use a coarser mesh");
+    }
+
+    double cpu_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
+
+    /// Adds the CPU time of a scope to a counter.
+    class ScopedCpuTime
+    {
+    public:
+      explicit ScopedCpuTime(double &counter) : counter_(counter), start_(cpu_seconds()) {}
+      ~ScopedCpuTime() { counter_ += cpu_seconds() - start_; }
+      ScopedCpuTime(const ScopedCpuTime &)            = delete;
+      ScopedCpuTime &operator=(const ScopedCpuTime &) = delete;
+
+    private:
+      double &counter_;
+      double  start_;
+    };
+  } // namespace
+
+  LinearSystem::LinearSystem(const MPI_Comm communicator, const LinearSolverOptions &options)
+    : communicator_(communicator), options_(options)
+  {}
+
+  LinearSystem::~LinearSystem() { clear(); }
+
+  void LinearSystem::clear()
+  {
+    VecScatterDestroy(&gather_);
+    VecDestroy(&gathered_);
+    VecDestroy(&solution_);
+    VecDestroy(&rhs_);
+    KSPDestroy(&ksp_);
+    MatDestroy(&matrix_);
+    has_factors_ = false;
+  }
+
+  void LinearSystem::set_pattern(const PetscInt first_row, const PetscInt last_row, std::vector<PetscInt> rows, std::vector<PetscInt> columns)
+  {
+    const ScopedCpuTime time(counts_.assembly_cpu_s);
+    clear();
+    first_row_ = first_row;
+    last_row_  = last_row;
+    check(MatCreate(communicator_, &matrix_), "made a matrix");
+    check(MatSetSizes(matrix_, last_row - first_row, last_row - first_row, PETSC_DETERMINE, PETSC_DETERMINE), "sized a matrix");
+    check(MatSetType(matrix_, MATAIJ), "made a matrix");
+    check(MatSetPreallocationCOO(matrix_, rows.size(), rows.data(), columns.data()), "laid out a matrix");
+    check(MatSetOption(matrix_, MAT_SYMMETRIC, PETSC_TRUE), "marked a matrix");
+    if (options_.positive_definite)
+      check(MatSetOption(matrix_, MAT_SPD, PETSC_TRUE), "marked a matrix");
+    check(MatCreateVecs(matrix_, &solution_, &rhs_), "made vectors");
+    check(VecGetSize(rhs_, &size_), "sized vectors");
+    check(VecScatterCreateToAll(solution_, &gather_, &gathered_), "made vectors");
+
+    check(KSPCreate(communicator_, &ksp_), "made a solver");
+    check(KSPSetOperators(ksp_, matrix_, matrix_), "made a solver");
+    check(KSPSetType(ksp_, KSPGMRES), "made a solver");
+    check(KSPGMRESSetRestart(ksp_, 60), "made a solver");
+    check(KSPSetInitialGuessNonzero(ksp_, PETSC_TRUE), "made a solver");
+    PC pc;
+    check(KSPGetPC(ksp_, &pc), "made a solver");
+    check(PCSetType(pc, options_.positive_definite ? PCCHOLESKY : PCLU), "made a solver");
+    check(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS), "chose MUMPS");
+  }
+
+  void LinearSystem::set_matrix(const std::vector<double> &values)
+  {
+    const ScopedCpuTime time(counts_.assembly_cpu_s);
+    check(MatSetValuesCOO(matrix_, values.data(), INSERT_VALUES), "filled a matrix");
+  }
+
+  void LinearSystem::set_right_hand_side(const std::vector<double> &contributions)
+  {
+    const ScopedCpuTime   time(counts_.assembly_cpu_s);
+    std::vector<PetscInt> indices;
+    std::vector<double>   values;
+    for (PetscInt i = 0; i < size_; ++i)
+      if (contributions[i] != 0.)
+      {
+        indices.push_back(i);
+        values.push_back(contributions[i]);
+      }
+    VecZeroEntries(rhs_);
+    check(VecSetValues(rhs_, indices.size(), indices.data(), values.data(), ADD_VALUES), "filled a vector");
+    check(VecAssemblyBegin(rhs_), "filled a vector");
+    check(VecAssemblyEnd(rhs_), "filled a vector");
+  }
+
+  bool LinearSystem::solve_with(const bool keep_factors, const int max_iterations)
+  {
+    if (!keep_factors)
+    {
+      const ScopedCpuTime time(counts_.factorization_cpu_s);
+      ++counts_.n_factorizations;
+      check(KSPSetReusePreconditioner(ksp_, PETSC_FALSE), "set up a solver");
+      // Tell the preconditioner that the values changed, then factorise here so that its time is counted here.
+      check(KSPSetOperators(ksp_, matrix_, matrix_), "set up a solver");
+      check(KSPSetUp(ksp_), "factorised");
+      PC             pc;
+      PCFailedReason failure;
+      check(KSPGetPC(ksp_, &pc), "factorised");
+      check(PCGetFailedReason(pc, &failure), "factorised");
+      has_factors_ = failure == PC_NOERROR;
+      if (!has_factors_)
+        return false;
+    }
+    const ScopedCpuTime time(counts_.solve_cpu_s);
+    check(KSPSetReusePreconditioner(ksp_, PETSC_TRUE), "set up a solver");
+    check(KSPSetTolerances(ksp_, options_.tolerance, 1e-300, 1e10, max_iterations), "set up a solver");
+    check(KSPSolve(ksp_, rhs_, solution_), "solved");
+    PetscInt           iterations;
+    KSPConvergedReason reason;
+    check(KSPGetIterationNumber(ksp_, &iterations), "solved");
+    check(KSPGetConvergedReason(ksp_, &reason), "solved");
+    counts_.n_iterations += iterations;
+    return reason > 0;
+  }
+
+  bool LinearSystem::solve(std::vector<double> &solution)
+  {
+    ++counts_.n_solves;
+    const auto load_guess = [&] {
+      double *local;
+      VecGetArray(solution_, &local);
+      for (PetscInt i = first_row_; i < last_row_; ++i)
+        local[i - first_row_] = solution[i];
+      VecRestoreArray(solution_, &local);
+    };
+    load_guess();
+    bool converged = has_factors_ && options_.reuse_factorization && solve_with(true, options_.max_stale_iterations);
+    if (!converged)
+    {
+      load_guess();
+      converged = solve_with(false, 60);
+    }
+    VecScatterBegin(gather_, solution_, gathered_, INSERT_VALUES, SCATTER_FORWARD);
+    VecScatterEnd(gather_, solution_, gathered_, INSERT_VALUES, SCATTER_FORWARD);
+    const double *all;
+    VecGetArrayRead(gathered_, &all);
+    solution.assign(all, all + size_);
+    VecRestoreArrayRead(gathered_, &all);
+    for (const double value : solution)
+      if (!std::isfinite(value))
+        return false;
+    return converged;
+  }
+} // namespace swimtwin

@@ -1,0 +1,67 @@
+// A distributed sparse system that is assembled and solved many times with one pattern.
+#pragma once
+
+#include <petscksp.h>
+
+#include <string>
+#include <vector>
+
+namespace swimtwin
+{
+  /// How hard the solver worked, over all solves.
+  struct LinearSolverCounts
+  {
+    int    n_solves = 0, n_factorizations = 0, n_iterations = 0;
+    double assembly_cpu_s = 0., factorization_cpu_s = 0., solve_cpu_s = 0.;
+  };
+
+  struct LinearSolverOptions
+  {
+    double      tolerance            = 1e-9; ///< on the preconditioned residual, relative to the preconditioned right-hand side
+    bool        reuse_factorization  = true; ///< keep the last factors as preconditioner while they serve
+    int         max_stale_iterations = 12;   ///< give up on old factors after so many GMRES iterations and factorise anew
+    bool        positive_definite    = false; ///< Cholesky instead of LU
+  };
+
+  /// Matrix entries are given by rows and columns once (MatSetPreallocationCOO), then only their values change; entries
+  /// given several times add up, those with a negative index are dropped. MUMPS keeps its analysis with the pattern.
+  class LinearSystem
+  {
+  public:
+    LinearSystem(MPI_Comm communicator, const LinearSolverOptions &options);
+    ~LinearSystem();
+    LinearSystem(const LinearSystem &)            = delete;
+    LinearSystem &operator=(const LinearSystem &) = delete;
+
+    /// Rows [first, last) live on this rank; `rows` and `columns` are this rank's contributions. Collective.
+    void set_pattern(PetscInt first_row, PetscInt last_row, std::vector<PetscInt> rows, std::vector<PetscInt> columns);
+    /// Values in the order of the pattern. Collective.
+    void set_matrix(const std::vector<double> &values);
+    /// This rank's contributions to the right-hand side, of full length; summed over ranks. Collective.
+    void set_right_hand_side(const std::vector<double> &contributions);
+
+    /// Solve, starting from `solution` (full length on every rank), and replace it. False if neither old nor new factors
+    /// gave the tolerance, or the result is not finite. Collective.
+    bool solve(std::vector<double> &solution);
+
+    const LinearSolverCounts &counts() const { return counts_; }
+    PetscInt                  size() const { return size_; }
+    Mat                       matrix() const { return matrix_; }
+
+  private:
+    void clear();
+    bool solve_with(bool keep_factors, int max_iterations);
+
+    MPI_Comm            communicator_;
+    LinearSolverOptions options_;
+    LinearSolverCounts  counts_;
+    Mat                 matrix_   = nullptr;
+    Vec                 rhs_      = nullptr;
+    Vec                 solution_ = nullptr;
+    Vec                 gathered_ = nullptr;
+    VecScatter          gather_   = nullptr;
+    KSP                 ksp_      = nullptr;
+    PetscInt            size_ = 0, first_row_ = 0, last_row_ = 0;
+    bool                has_factors_ = false;
+  };
+} // namespace swimtwin

@@ -1,0 +1,110 @@
+// The motion map P: every nodal velocity and pressure as a linear function of what is really unknown.
+#pragma once
+
+#include <fom/rigid_pose.h>
+#include <fom/simplex_mesh.h>
+
+#include <deal.II/dofs/dof_handler.h>
+
+#include <optional>
+#include <vector>
+
+namespace swimtwin
+{
+  /// Numbers of nodal values on a mesh, with the rank that owns each: velocity components at all nodes and, for a fluid,
+  /// pressures at vertices. deal.II distributes them.
+  template <int dim>
+  class NodeNumbering
+  {
+  public:
+    NodeNumbering(const SimplexMesh<dim> &mesh, bool with_pressure);
+
+    unsigned int size() const { return owner_.size(); }
+    unsigned int vector_index(const unsigned int node, const unsigned int component) const { return vector_index_[node * dim + component]; }
+    unsigned int pressure_index(const unsigned int vertex) const { return pressure_index_[vertex]; }
+    unsigned int owner(const unsigned int index) const { return owner_[index]; }
+    const dealii::DoFHandler<dim> &dof_handler() const { return dof_handler_; }
+
+  private:
+    dealii::DoFHandler<dim>   dof_handler_;
+    std::vector<unsigned int> vector_index_, pressure_index_;
+    std::vector<unsigned int> owner_;
+  };
+
+  /// P as a sparse matrix with a constant part: value(row) = sum_k coefficient_k unknown_k + imposed(row).
+  ///
+  /// Rows are the nodal values of the fluid, then those of the tail. A row is free (one unknown of its own), imposed (no
+  /// unknown), tied to the tail's rows, or moves with the head. Unknowns are numbered by rank; the head's come last:
+  /// velocities (m/s) and angular velocities times the length scale (m/s), so that all have like size.
+  template <int dim>
+  class MotionMap
+  {
+  public:
+    struct Term
+    {
+      unsigned int unknown;
+      double       coefficient;
+    };
+
+    MotionMap(unsigned int n_fluid_rows, unsigned int n_tail_rows, double length_scale_m);
+
+    // Description, in any order; rows not mentioned are free.
+    /// The row has a given value, set with `imposed`.
+    void impose(unsigned int row);
+    /// Component c of a node of the head, or clamped to it, at X in the head frame.
+    void tie_to_head(unsigned int row, unsigned int component, const dealii::Tensor<1, dim> &X);
+    /// The row is the mean of other rows (one: equal to it).
+    void tie(unsigned int row, std::vector<unsigned int> masters);
+
+    /// Number the unknowns. `owner` tells the rank of each row; a free head belongs to the last rank.
+    void close(const std::vector<unsigned int> &owner, bool head_is_free, MPI_Comm communicator);
+
+    /// Turn the head: updates the coefficients of rows that move with it. Which unknowns a row has never changes.
+    void set_rotation(const dealii::Tensor<2, dim> &rotation);
+
+    std::vector<double> imposed; ///< constant part of every row
+
+    unsigned int n_rows() const { return kind_.size(); }
+    unsigned int n_unknowns() const { return n_unknowns_; }
+    unsigned int first_owned() const { return first_owned_; }
+    unsigned int last_owned() const { return last_owned_; }
+    bool         head_is_free() const { return head_is_free_; }
+    unsigned int first_head_unknown() const { return n_unknowns_ - n_rigid<dim>; }
+    double       length_scale() const { return length_scale_; }
+
+    const Term *begin(const unsigned int row) const { return terms_.data() + first_term_[row]; }
+    const Term *end(const unsigned int row) const { return terms_.data() + first_term_[row + 1]; }
+
+    /// Force and torque (about the head's centre) that loads on the rows exert on the head: the reaction that moves a
+    /// free head, or that must hold a fixed one. Components as the head's unknowns, the torque not scaled.
+    dealii::Tensor<1, n_rigid<dim>> load_on_head(const std::vector<double> &loads) const;
+
+    /// All rows from the unknowns: P y + imposed.
+    std::vector<double> expand(const std::vector<double> &unknowns) const;
+    /// Add P^T of a load on one row.
+    void add_load(unsigned int row, double load, std::vector<double> &right_hand_side) const;
+
+  private:
+    enum class Kind : char { free, imposed, head, tied };
+    struct HeadRow
+    {
+      unsigned int           component;
+      dealii::Tensor<1, dim> X;
+    };
+    void append_terms(unsigned int row, double factor);
+    void add_load_on_head(unsigned int row, double load, dealii::Tensor<1, n_rigid<dim>> &sum) const;
+    void build_terms();
+
+    double                                 length_scale_;
+    std::vector<Kind>                      kind_;
+    std::vector<HeadRow>                   head_rows_;
+    std::vector<int>                       head_row_of_row_;
+    std::vector<std::vector<unsigned int>> masters_;
+    std::vector<unsigned int>              unknown_; ///< of free rows
+    std::vector<Term>                      terms_;
+    std::vector<unsigned int>              first_term_;
+    unsigned int                           n_unknowns_ = 0, first_owned_ = 0, last_owned_ = 0;
+    bool                                   head_is_free_ = false;
+    dealii::Tensor<2, dim>                 rotation_;
+  };
+} // namespace swimtwin

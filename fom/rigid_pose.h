@@ -1,0 +1,67 @@
+// Where the head is and how it is turned; the frame in which the tail's shape is described.
+#pragma once
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+
+#include <cmath>
+
+namespace swimtwin
+{
+  /// Independent rotations of a rigid body.
+  template <int dim>
+  constexpr int n_rotations = dim == 2 ? 1 : 3;
+
+  /// Columns of the motion map for a rigid body: translations, then rotations.
+  template <int dim>
+  constexpr int n_rigid = dim + n_rotations<dim>;
+
+  template <int dim>
+  using AngularVelocity = dealii::Tensor<1, n_rotations<dim>>;
+
+  /// omega x r.
+  template <int dim>
+  dealii::Tensor<1, dim> rotational_velocity(const AngularVelocity<dim> &omega, const dealii::Tensor<1, dim> &r)
+  {
+    dealii::Tensor<1, dim> v;
+    if constexpr (dim == 2)
+    {
+      v[0] = -omega[0] * r[1];
+      v[1] = omega[0] * r[0];
+    }
+    else
+      for (int c = 0; c < 3; ++c)
+        v[c] = omega[(c + 1) % 3] * r[(c + 2) % 3] - omega[(c + 2) % 3] * r[(c + 1) % 3];
+    return v;
+  }
+
+  /// Position of the head's centre (m) and unwrapped angle (rad) of the head frame. In 3D the attitude will be a unit
+  /// quaternion; everything else asks for rotation() and does not know.
+  template <int dim>
+  struct RigidPose;
+
+  template <>
+  struct RigidPose<2>
+  {
+    dealii::Point<2> center;
+    double           angle = 0.;
+
+    /// R: from the head frame to the laboratory.
+    dealii::Tensor<2, 2> rotation() const
+    {
+      dealii::Tensor<2, 2> r;
+      r[0][0] = r[1][1] = std::cos(angle);
+      r[1][0]           = std::sin(angle);
+      r[0][1]           = -r[1][0];
+      return r;
+    }
+
+    /// Laboratory position of a point of the head frame.
+    dealii::Point<2> to_laboratory(const dealii::Tensor<1, 2> &x) const { return center + rotation() * x; }
+    /// Head-frame coordinates of a laboratory position.
+    dealii::Point<2> to_head_frame(const dealii::Point<2> &x) const
+    {
+      return dealii::Point<2>(transpose(rotation()) * (x - center));
+    }
+  };
+} // namespace swimtwin

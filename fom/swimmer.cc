@@ -1,0 +1,157 @@
+#include <fom/swimmer.h>
+#include <fom/swimmer_outline.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace swimtwin
+{
+  using namespace dealii;
+
+  MagneticTorque magnetic_torque(const double moment_A_m2, const double angle_rad, const std::array<double, 3> &field_T)
+  {
+    const double c = std::cos(angle_rad), s = std::sin(angle_rad);
+    return {moment_A_m2 * (c * field_T[1] - s * field_T[0]), -moment_A_m2 * (s * field_T[1] + c * field_T[0])};
+  }
+
+  template <int dim>
+  Swimmer<dim>::Swimmer(const Scene &scene, const MPI_Comm communicator) : scene_(scene), body_length_(scene.body_length_m())
+  {
+    const SwimmerOutline outline = make_outline(scene.head, scene.tail, scene.numerics);
+    surface_at_rest_             = outline.surface();
+    tail_node_of_surface_.assign(surface_at_rest_.size(), -1);
+    for (unsigned int k = 0; k < surface_at_rest_.size(); k += 2)
+      surface_mesh_size_.push_back(.5 * (surface_at_rest_[k].distance(surface_at_rest_[(k + 2) % surface_at_rest_.size()]) +
+                                         surface_at_rest_[k].distance(surface_at_rest_[(k + surface_at_rest_.size() - 2) % surface_at_rest_.size()])));
+    if (!scene.tail)
+      return;
+
+    tail_       = std::make_unique<TailMesh<dim>>(make_tail_mesh(outline, scene.numerics, communicator));
+    elasticity_ = std::make_unique<ElasticTail<dim>>(
+      tail_->mesh, make_law<dim>(scene.tail->law, lame_constants(scene.tail->young_modulus_Pa, scene.tail->poisson_ratio)));
+    const unsigned int first = outline.upper_head.size() - 1;
+    for (unsigned int i = 0; i < tail_->surface_nodes.size(); ++i)
+      tail_node_of_surface_[first + i] = tail_->surface_nodes[i];
+    is_clamped_.assign(tail_->mesh.n_nodes(), 0);
+    for (const auto node : tail_->clamped_nodes)
+      is_clamped_[node] = 1;
+  }
+
+  template <int dim>
+  RigidPose<dim> Swimmer<dim>::pose_at_rest() const
+  {
+    RigidPose<dim> pose;
+    pose.center = Point<dim>(scene_.head.center_m[0], scene_.head.center_m[1]);
+    pose.angle  = scene_.head.angle_rad;
+    return pose;
+  }
+
+  template <int dim>
+  Configuration<dim> Swimmer<dim>::configuration_at_rest() const
+  {
+    return {pose_at_rest(), NodalField<dim>(has_tail() ? tail_->mesh.n_nodes() : 0)};
+  }
+
+  template <int dim>
+  std::vector<Point<dim>> Swimmer<dim>::surface(const Configuration<dim> &configuration) const
+  {
+    const Tensor<2, dim>    R = configuration.pose.rotation();
+    std::vector<Point<dim>> x;
+    for (unsigned int k = 0; k < n_surface_nodes(); ++k)
+    {
+      const int            node = tail_node_of_surface_[k];
+      const Tensor<1, dim> X    = surface_at_rest_[k];
+      x.push_back(configuration.pose.center + R * (node < 0 ? X : X + configuration.shape[node]));
+    }
+    return x;
+  }
+
+  template <int dim>
+  std::vector<Point<dim>> Swimmer<dim>::tail_positions(const Configuration<dim> &configuration) const
+  {
+    const Tensor<2, dim>    R = configuration.pose.rotation();
+    std::vector<Point<dim>> x;
+    for (unsigned int a = 0; a < tail_->mesh.n_nodes(); ++a)
+      x.push_back(configuration.pose.center + R * (tail_->mesh.nodes[a] + configuration.shape[a]));
+    return x;
+  }
+
+  template <int dim>
+  NodalField<dim> Swimmer<dim>::tail_velocities(const Configuration<dim> &configuration, const Rates<dim> &rates) const
+  {
+    const Tensor<2, dim> R = configuration.pose.rotation();
+    const auto           x = tail_positions(configuration);
+    NodalField<dim>      w;
+    for (unsigned int a = 0; a < x.size(); ++a)
+      w.push_back(rates.velocity + rotational_velocity<dim>(rates.omega, x[a] - configuration.pose.center) + R * rates.shape_rate[a]);
+    return w;
+  }
+
+  template <int dim>
+  double Swimmer<dim>::relative_change(const Configuration<dim> &a, const Configuration<dim> &b) const
+  {
+    double change = std::max(a.pose.center.distance(b.pose.center) / body_length_,
+                             (a.pose.rotation() - b.pose.rotation()).norm() / std::sqrt(double(dim)));
+    if (has_tail())
+    {
+      const auto      xa = tail_positions(a), xb = tail_positions(b);
+      NodalField<dim> difference(xa.size());
+      for (unsigned int i = 0; i < xa.size(); ++i)
+        difference[i] = xa[i] - xb[i];
+      change = std::max(change, std::sqrt(elasticity_->norm_square(difference) / elasticity_->volume()) / body_length_);
+    }
+    return change;
+  }
+
+  template <int dim>
+  Tensor<1, dim> Swimmer<dim>::effective_gravity(const double body_density_kg_m3, const double time_s) const
+  {
+    // In a fluid the pressure is the reduced one, without the hydrostatic part: buoyancy is taken off here.
+    const Gravity &gravity = scene_.gravity;
+    const double   ramp    = time_s < gravity.ramp_s ? time_s / gravity.ramp_s : 1.;
+    const double   density = body_density_kg_m3 - (scene_.fluid ? scene_.fluid->density_kg_m3 : 0.);
+    Tensor<1, dim> g;
+    for (int c = 0; c < 2; ++c)
+      g[c] = ramp * density * gravity.acceleration_m_s2[c];
+    return g;
+  }
+
+  template <int dim>
+  Tensor<1, dim> Swimmer<dim>::load_on_tail_node(const unsigned int a, const double time_s) const
+  {
+    Tensor<1, dim> load = elasticity_->volume_of_node()[a] * effective_gravity(scene_.tail->density_kg_m3, time_s);
+    if (scene_.tail->magnetization_A_m != 0.)
+    {
+      const auto field = scene_.field(time_s);
+      for (int c = 0; c < dim; ++c)
+        load[c] += scene_.tail->magnetization_A_m * elasticity_->axial_gradient_of_node()[a] * field[c];
+    }
+    return load;
+  }
+
+  template <int dim>
+  Tensor<1, dim> Swimmer<dim>::force_on_head(const double time_s) const
+  {
+    return scene_.head.area_m2() * effective_gravity(scene_.head.density_kg_m3, time_s);
+  }
+
+  template <int dim>
+  MagneticTorque Swimmer<dim>::torque_on_head(const double angle_rad, const double time_s) const
+  {
+    return magnetic_torque(scene_.head.magnetization_A_m * scene_.head.area_m2(), angle_rad, scene_.field(time_s));
+  }
+
+  template <int dim>
+  double Swimmer<dim>::tail_angle(const Configuration<dim> &configuration) const
+  {
+    if (!has_tail())
+      return configuration.pose.angle;
+    const auto &[before, middle, tip] = tail_->axis_at_tip;
+    const auto position               = [&](const unsigned int node) { return tail_->mesh.nodes[node] + configuration.shape[node]; };
+    // Derivative at its end of the quadratic through the last edge of the axis, relative to the head.
+    const Tensor<1, dim> tangent = 3. * position(tip) - 4. * Tensor<1, dim>(position(middle)) + Tensor<1, dim>(position(before));
+    return configuration.pose.angle + std::atan2(tangent[1], tangent[0]);
+  }
+
+  template class Swimmer<2>;
+} // namespace swimtwin

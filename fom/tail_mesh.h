@@ -1,0 +1,20 @@
+// The tail's own mesh, Lagrangian for ever, in the head frame.
+#pragma once
+
+#include <fom/simplex_mesh.h>
+#include <fom/swimmer_outline.h>
+
+namespace swimtwin
+{
+  template <int dim>
+  struct TailMesh
+  {
+    SimplexMesh<dim>            mesh;
+    std::vector<unsigned int>   clamped_nodes; ///< on the head, the root's two ends included
+    std::vector<unsigned int>   surface_nodes; ///< the part of SwimmerOutline::surface() that is the tail's, both root ends included
+    std::array<unsigned int, 3> axis_at_tip;   ///< last edge on the axis: vertex, midpoint, tip
+  };
+
+  /// Mesh the upper half and reflect it, so that shapes have exact parity. Collective.
+  TailMesh<2> make_tail_mesh(const SwimmerOutline &outline, const Numerics &numerics, MPI_Comm communicator);
+} // namespace swimtwin
