@@ -2,10 +2,11 @@
 #include <datasets/scene.h>
 #include <fom/full_order_model.h>
 #include <cstdio>
+#include <petscsys.h>
 #include <deal.II/base/mpi.h>
 using namespace swimtwin;
 int main(int argc,char**argv){
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1); 
   try{
   std::vector<std::string> over(argv+2,argv+argc);
   Scene s=read_scene(argv[1],over);

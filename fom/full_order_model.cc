@@ -215,7 +215,7 @@ namespace swimtwin
       guess.shape[a] += bdf.slope_weight * rates.shape_rate[a];
     std::vector<double> unknowns = extrapolated_unknowns(dt, guess, rates);
 
-    double smallest_change = std::numeric_limits<double>::max();
+    double change_before = 0.;
     for (int iteration = 1; iteration <= scene_.numerics.max_coupling_iterations; ++iteration)
     {
       const double start = cpu_seconds();
@@ -231,9 +231,17 @@ namespace swimtwin
         return Outcome::linear_solver_failed;
       Configuration<dim> next   = advance_kinematics(known, bdf.slope_weight, system_->velocities(unknowns), rates);
       const double       change = swimmer_.relative_change(next, guess);
+      if(std::getenv("DBG")) std::fprintf(stderr,"  t %.4f it %d change %.3e its %d\n",time,iteration,change,linear_system_.counts().n_iterations);
       counts_.coupling_cpu_s += cpu_seconds() - moved;
       guess = std::move(next);
-      if (change <= scene_.numerics.coupling_tolerance)
+      if (iteration == 2)
+        contraction_ = {change / change_before, counts_.n_steps};
+      if (change_before > 0. && !(change < 100. * change_before))
+        return Outcome::coupling_diverged;
+      // What is left to correct is estimated from the iteration's contraction: measured in this step, or, for the first
+      // iteration, in a recent one.
+      const double left_over = iteration == 1 ? contraction_.expected(counts_.n_steps) * change : change * change / change_before;
+      if (left_over <= scene_.numerics.coupling_tolerance)
       {
         if (swimmer_.has_tail() && swimmer_.elasticity().is_inverted(guess.shape))
           return Outcome::tail_inverted;
@@ -242,11 +250,17 @@ namespace swimtwin
         accept(dt, std::move(guess), std::move(rates));
         return Outcome::accepted;
       }
-      if (!(change < 100. * smallest_change))
-        return Outcome::coupling_diverged;
-      smallest_change = std::min(smallest_change, change);
+      change_before = change;
     }
     return Outcome::coupling_diverged;
+  }
+
+  template <int dim>
+  double FullOrderModel<dim>::Contraction::expected(const int step) const
+  {
+    constexpr int    valid_for_steps = 10;
+    constexpr double safety          = 3.;
+    return step - measured_at_step <= valid_for_steps ? safety * value : 1.;
   }
 
   template <int dim>

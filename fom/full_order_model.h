@@ -71,6 +71,14 @@ namespace swimtwin
     enum class Outcome { accepted, mesh_inverted, tail_inverted, coupling_diverged, linear_solver_failed };
     static std::string cause(Outcome outcome);
 
+    /// How much one coupling iteration reduces the error, as last measured; 1 when that was too long ago.
+    struct Contraction
+    {
+      double value = 1.;
+      int    measured_at_step = -1000;
+      double expected(int step) const;
+    };
+
     Outcome            try_step(double dt);
     void               accept(double dt, Configuration<dim> configuration, Rates<dim> rates);
     Configuration<dim> advance_kinematics(const Configuration<dim> &known, double slope_weight, const CoupledVelocities<dim> &velocities,
@@ -95,6 +103,7 @@ namespace swimtwin
     int                 grid_step_        = 0;
     std::vector<double> unknowns_, unknowns_before_; ///< of now and before, on the current mesh; empty: unknown
     PowerBalance        balance_;
+    Contraction         contraction_;
     StepCounts          counts_;
     int                 iterations_of_last_step_ = 0, steps_since_remeshing_ = 0;
     bool                just_remeshed_ = false;

@@ -70,9 +70,12 @@ namespace swimtwin
 
     check(KSPCreate(communicator_, &ksp_), "made a solver");
     check(KSPSetOperators(ksp_, matrix_, matrix_), "made a solver");
-    check(KSPSetType(ksp_, KSPGMRES), "made a solver");
-    check(KSPGMRESSetRestart(ksp_, 60), "made a solver");
-    check(KSPSetInitialGuessNonzero(ksp_, PETSC_TRUE), "made a solver");
+    check(KSPSetType(ksp_, options_.direct ? KSPPREONLY : KSPGMRES), "made a solver");
+    if (!options_.direct)
+    {
+      check(KSPGMRESSetRestart(ksp_, 60), "made a solver");
+      check(KSPSetInitialGuessNonzero(ksp_, PETSC_TRUE), "made a solver");
+    }
     PC pc;
     check(KSPGetPC(ksp_, &pc), "made a solver");
     check(PCSetType(pc, options_.positive_definite ? PCCHOLESKY : PCLU), "made a solver");
@@ -116,7 +119,9 @@ namespace swimtwin
       PCFailedReason failure;
       check(KSPGetPC(ksp_, &pc), "factorised");
       check(PCGetFailedReason(pc, &failure), "factorised");
-      has_factors_ = failure == PC_NOERROR;
+      has_factors_           = failure == PC_NOERROR;
+      solves_with_factors_   = 0;
+      effort_with_factors_   = options_.factorization_effort;
       if (!has_factors_)
         return false;
     }
@@ -129,7 +134,17 @@ namespace swimtwin
     check(KSPGetIterationNumber(ksp_, &iterations), "solved");
     check(KSPGetConvergedReason(ksp_, &reason), "solved");
     counts_.n_iterations += iterations;
+    note_effort(iterations);
     return reason > 0;
+  }
+
+  void LinearSystem::note_effort(const int iterations)
+  {
+    // Old factors have served their time when a solve costs more than the average since they were made, their making
+    // included: the marginal cost then raises the mean.
+    effort_with_factors_ += iterations;
+    ++solves_with_factors_;
+    factors_are_worn_ = iterations * solves_with_factors_ > effort_with_factors_;
   }
 
   bool LinearSystem::solve(std::vector<double> &solution)
@@ -143,7 +158,7 @@ namespace swimtwin
       VecRestoreArray(solution_, &local);
     };
     load_guess();
-    bool converged = has_factors_ && options_.reuse_factorization && solve_with(true, options_.max_stale_iterations);
+    bool converged = has_factors_ && options_.reuse_factorization && !factors_are_worn_ && solve_with(true, options_.max_stale_iterations);
     if (!converged)
     {
       load_guess();

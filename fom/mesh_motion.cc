@@ -1,4 +1,3 @@
-#include <fom/isoparametric_cell.h>
 #include <fom/mesh_motion.h>
 
 #include <algorithm>
@@ -20,19 +19,35 @@ namespace swimtwin
       return center;
     }
 
+    /// Gradients of the linear shape functions and volume of a cell with straight edges.
+    template <int dim>
+    struct LinearCell
+    {
+      std::array<Tensor<1, dim>, dim + 1> gradient;
+      double                              volume;
+
+      LinearCell(const SimplexMesh<dim> &mesh, const CellNodes<dim> &cell)
+      {
+        Tensor<2, dim> edges; // row i: from vertex 0 to vertex i + 1
+        for (int i = 0; i < dim; ++i)
+          edges[i] = mesh.nodes[cell[i + 1]] - mesh.nodes[cell[0]];
+        const Tensor<2, dim> inverse = invert(edges);
+        for (int i = 0; i < dim; ++i)
+        {
+          for (int c = 0; c < dim; ++c)
+            gradient[i + 1][c] = inverse[c][i];
+          gradient[0] -= gradient[i + 1];
+        }
+        volume = determinant(edges) / (dim == 2 ? 2. : 6.);
+      }
+    };
+
     template <int dim>
     std::vector<double> cell_volumes(const SimplexMesh<dim> &mesh)
     {
-      IsoparametricCell<dim> map(2);
-      std::vector<double>    volumes;
+      std::vector<double> volumes;
       for (const auto &cell : mesh.cells)
-      {
-        map.reinit(cell_positions<dim>(cell, mesh.nodes));
-        double volume = 0.;
-        for (unsigned int q = 0; q < map.n_points(); ++q)
-          volume += map.weight(q);
-        volumes.push_back(volume);
-      }
+        volumes.push_back(LinearCell<dim>(mesh, cell).volume);
       return volumes;
     }
 
@@ -60,31 +75,24 @@ namespace swimtwin
 
     /// elastic: 2 mu D:D + lambda div div with lambda = mu = 1; else component-wise Laplacian.
     template <int dim>
-    void cell_matrix(const IsoparametricCell<dim> &map, const MeshMotion law, const double stiffness, std::vector<std::vector<double>> &K)
+    void cell_matrix(const LinearCell<dim> &cell, const MeshMotion law, const double stiffness, std::vector<std::vector<double>> &K)
     {
-      constexpr unsigned int n = n_cell_nodes<dim>;
-      for (auto &row : K)
-        std::fill(row.begin(), row.end(), 0.);
-      for (unsigned int q = 0; q < map.n_points(); ++q)
-        for (unsigned int a = 0; a < n; ++a)
-          for (unsigned int b = 0; b < n; ++b)
-          {
-            const auto  &ga = map.gradient(q, a), &gb = map.gradient(q, b);
-            const double w = stiffness * map.weight(q);
-            for (int i = 0; i < dim; ++i)
-            {
-              K[a * dim + i][b * dim + i] += w * (ga * gb);
-              if (law == MeshMotion::elastic)
-                for (int j = 0; j < dim; ++j)
-                  K[a * dim + i][b * dim + j] += w * (ga[j] * gb[i] + ga[i] * gb[j]);
-            }
-          }
+      const double w = stiffness * cell.volume;
+      for (int a = 0; a <= dim; ++a)
+        for (int b = 0; b <= dim; ++b)
+        {
+          const auto &ga = cell.gradient[a], &gb = cell.gradient[b];
+          for (int i = 0; i < dim; ++i)
+            for (int j = 0; j < dim; ++j)
+              K[a * dim + i][b * dim + j] = (i == j ? w * (ga * gb) : 0.) +
+                                            (law == MeshMotion::elastic ? w * (ga[j] * gb[i] + ga[i] * gb[j]) : 0.);
+        }
     }
 
     LinearSolverOptions extension_options()
     {
       LinearSolverOptions options;
-      options.tolerance         = 1e-11;
+      options.direct            = true;
       options.positive_definite = true;
       return options;
     }
@@ -96,17 +104,17 @@ namespace swimtwin
     : mesh_(mesh), numbering_(numbering), moving_nodes_(std::move(moving_nodes)), map_(numbering.size(), 0, 1.),
       condensation_(map_), system_(mesh.communicator(), extension_options())
   {
-    std::vector<char> is_vector(numbering.size(), 0);
-    for (unsigned int node = 0; node < mesh.n_nodes(); ++node)
+    std::vector<char> is_unknown(numbering.size(), 0);
+    for (unsigned int vertex = 0; vertex < mesh.n_vertices(); ++vertex)
       for (int c = 0; c < dim; ++c)
-        is_vector[numbering.vector_index(node, c)] = 1;
-    for (unsigned int row = 0; row < numbering.size(); ++row)
-      if (!is_vector[row])
-        map_.impose(row); // pressures have no part in this
+        is_unknown[numbering.vector_index(vertex, c)] = 1;
     for (const auto *nodes : {&std::as_const(moving_nodes_), &still_nodes})
       for (const auto node : *nodes)
         for (int c = 0; c < dim; ++c)
-          map_.impose(numbering.vector_index(node, c));
+          is_unknown[numbering.vector_index(node, c)] = 0;
+    for (unsigned int row = 0; row < numbering.size(); ++row)
+      if (!is_unknown[row])
+        map_.impose(row);
     std::vector<unsigned int> owner(numbering.size());
     for (unsigned int i = 0; i < owner.size(); ++i)
       owner[i] = numbering.owner(i);
@@ -120,7 +128,10 @@ namespace swimtwin
     std::vector<char> moves(mesh_.n_nodes(), 0);
     for (const auto node : moving_nodes_)
       moves[node] = 1;
-    constexpr unsigned int    n = n_cell_nodes<dim> * dim;
+    const auto touches = [&](const CellNodes<dim> &nodes) {
+      return std::any_of(nodes.begin(), nodes.begin() + dim + 1, [&](const unsigned int node) { return moves[node]; });
+    };
+    constexpr unsigned int    n = (dim + 1) * dim;
     std::vector<unsigned int> owned;
     for (unsigned int c = 0; c < mesh_.n_cells(); ++c)
       if (mesh_.is_owned(c))
@@ -130,13 +141,12 @@ namespace swimtwin
           rows[i] = numbering_.vector_index(mesh_.cells[c][i / dim], i % dim);
         owned.push_back(c);
         condensation_.add_cell(rows);
-        if (std::any_of(mesh_.cells[c].begin(), mesh_.cells[c].end(), [&](const unsigned int node) { return moves[node]; }))
+        if (touches(mesh_.cells[c]))
           boundary_cells_.push_back({rows, {}});
       }
     condensation_.lay_out(system_);
 
     const std::vector<double>        stiffness = cell_stiffness(mesh_, law, moving_nodes_);
-    IsoparametricCell<dim>           map;
     std::vector<std::vector<double>> K(n, std::vector<double>(n));
     const std::vector<double>        no_load(n, 0.);
     condensation_.reset();
@@ -144,10 +154,9 @@ namespace swimtwin
     for (unsigned int k = 0; k < owned.size(); ++k)
     {
       const auto &nodes = mesh_.cells[owned[k]];
-      map.reinit(cell_positions<dim>(nodes, mesh_.nodes));
-      cell_matrix(map, law, stiffness[owned[k]], K);
+      cell_matrix(LinearCell<dim>(mesh_, nodes), law, stiffness[owned[k]], K);
       condensation_.add(k, K, no_load);
-      if (std::any_of(nodes.begin(), nodes.end(), [&](const unsigned int node) { return moves[node]; }))
+      if (touches(nodes))
         (boundary_cell++)->matrix = K;
     }
     system_.set_matrix(condensation_.values());
@@ -174,11 +183,16 @@ namespace swimtwin
     if (!system_.solve(last_solution_))
       return {};
 
+    // Vertices move by the solution, prescribed nodes exactly; other mid-edge nodes stay in the middle of their edge.
     const std::vector<double>   values = map_.expand(last_solution_);
     std::vector<Tensor<1, dim>> result(mesh_.n_nodes());
-    for (unsigned int node = 0; node < mesh_.n_nodes(); ++node)
+    for (unsigned int vertex = 0; vertex < mesh_.n_vertices(); ++vertex)
       for (int c = 0; c < dim; ++c)
-        result[node][c] = values[numbering_.vector_index(node, c)];
+        result[vertex][c] = values[numbering_.vector_index(vertex, c)];
+    for (unsigned int e = 0; e < mesh_.edges().size(); ++e)
+      result[mesh_.n_vertices() + e] = .5 * (result[mesh_.edges()[e][0]] + result[mesh_.edges()[e][1]]);
+    for (unsigned int k = 0; k < moving_nodes_.size(); ++k)
+      result[moving_nodes_[k]] = displacement[k];
     return result;
   }
 

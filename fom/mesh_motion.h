@@ -12,6 +12,8 @@ namespace swimtwin
   /// Solves one linear problem on the mesh as it was made, so that a mesh is a function of the boundary's displacement
   /// alone, whatever the path to it, and one factorisation serves until the next remeshing.
   ///
+  /// Vertices carry the unknowns; mid-edge nodes stay in the middle, so that only edges on the boundary are curved.
+  ///
   /// elastic: linear elasticity, stiffness 1/d^2 with d the distance to the swimmer (at least the cell's size);
   /// weighted harmonic: Laplacian with weight 1 + tau, tau = (1 - V_min/V_max)/(V/V_max) of the cell's volume V
   /// (Masud and Hughes 1997; Kanchi and Masud 2007), the reference study's law; harmonic: Laplacian.

@@ -28,8 +28,7 @@ namespace swimtwin
   {
     const TemporaryFolder folder;
     const fs::path        file = folder.write("result.txt", "earlier");
-    const auto            fail = [](const fs::path &partial)
-    {
+    const auto            fail = [](const fs::path &partial) {
       std::ofstream(partial) << "half";
       throw std::runtime_error("the solver stopped");
     };
@@ -70,10 +69,9 @@ namespace swimtwin
   {
     const TemporaryFolder folder;
     folder.write("summary.json", "{}");
-    const std::string message = message_of<InputError>(
-        [&] {
-          prepare_output_folder(folder.path, {"trajectory.csv", "summary.json"}, false);
-        });
+    const std::string message = message_of<InputError>([&] {
+      prepare_output_folder(folder.path, {"trajectory.csv", "summary.json"}, false);
+    });
     expect_in(message, "already holds summary.json");
     expect_in(message, "--force");
     EXPECT_NO_THROW(prepare_output_folder(folder.path, {"summary.json"}, true));
