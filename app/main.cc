@@ -1,24 +1,83 @@
+// The command-line tool: one verb per file, one place for errors.
+#include <app/verb.h>
+
 #include <datasets/error.h>
-#include <datasets/scene.h>
-#include <fom/full_order_model.h>
-#include <cstdio>
-#include <petscsys.h>
+
 #include <deal.II/base/mpi.h>
-using namespace swimtwin;
-int main(int argc,char**argv){
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1); 
-  try{
-  std::vector<std::string> over(argv+2,argv+argc);
-  Scene s=read_scene(argv[1],over);
-  FullOrderModel<2> m(s,MPI_COMM_WORLD);
-  std::printf("unknowns %u\n",m.n_unknowns());
-  int spp=s.time.steps_per_period; double x0=m.now().configuration.pose.center[0];
-  for(int k=1;k<=s.time.n_steps();++k){ m.advance();
-    auto&n=m.now(); 
-    if(k%std::max(1,spp/20)==0) std::printf("%4d t %.4f it %d x %.6e y %.3e th %.6f tail %.4f q %.3f D %.4e P %.4e W %.3e unk %u rm %d\n",k,n.time_s,m.coupling_iterations_of_last_step(),n.configuration.pose.center[0],n.configuration.pose.center[1],n.configuration.pose.angle,m.swimmer().tail_angle(n.configuration),m.fluid()?m.fluid()->quality():0.,m.balance().dissipation,m.balance().magnetic,m.balance().elastic_energy,m.n_unknowns(),m.counts().n_remeshes);
-    if(k%spp==0){ std::printf("period displacement %.8e\n",-(n.configuration.pose.center[0]-x0)); x0=n.configuration.pose.center[0];}
+#include <petscsys.h>
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+namespace
+{
+  constexpr int exit_failed = 1, exit_bad_input = 2;
+
+  /// Say what went wrong, once. Other ranks may wait for this one for ever, so they are ended with it.
+  int fail(const std::string &message, const int code)
+  {
+    int n_ranks = 1;
+    MPI_Comm_size(MPI_COMM_WORLD, &n_ranks);
+    fmt::print(stderr, "swimtwin: {}\n", message);
+    std::fflush(stderr);
+    if (n_ranks > 1)
+      MPI_Abort(MPI_COMM_WORLD, code);
+    return code;
   }
-  auto c=m.counts(); auto l=m.linear_counts();
-  std::printf("steps %d it %d halv %d solves %d fact %d iters %d | asm %.2f fact %.2f solve %.2f mesh %.2f remesh %.2f coupling %.2f total %.2f\n",c.n_steps,c.n_coupling_iterations,c.n_step_halvings,l.n_solves,l.n_factorizations,l.n_iterations,l.assembly_cpu_s,l.factorization_cpu_s,l.solve_cpu_s,c.mesh_motion_cpu_s,c.remeshing_cpu_s,c.coupling_cpu_s,clock()/1e6);
-  }catch(std::exception&e){ std::fprintf(stderr,"%s\n",e.what()); return 1;}
+
+  int run(int argc, char **argv)
+  {
+    using namespace swimtwin;
+    std::string command_line = "swimtwin";
+    for (int i = 1; i < argc; ++i)
+      command_line += std::string(" ") + argv[i];
+
+    CLI::App tool("Elastic magneto-swimmers in viscous fluids: full-order simulation of a soft micro-robot with a magnetic head.", "swimtwin");
+    tool.set_version_flag("--version", SWIMTWIN_VERSION);
+    tool.require_subcommand(1);
+    const std::pair<const char *, Work> verbs[] = {{"plan", add_plan(tool, command_line)},
+                                                   {"simulate", add_simulate(tool, command_line)},
+                                                   {"resistance", add_resistance(tool, command_line)},
+                                                   {"demo", add_demo(tool, command_line)}};
+    try
+    {
+      tool.parse(argc, argv);
+    }
+    catch (const CLI::ParseError &error)
+    {
+      if (error.get_exit_code() == 0) // --help, --version
+        return is_speaker() ? tool.exit(error) : 0;
+      return fail(error.what() + std::string("; see swimtwin --help"), exit_bad_input);
+    }
+    try
+    {
+      for (const auto &[name, work] : verbs)
+        if (tool.got_subcommand(name))
+          work();
+      return 0;
+    }
+    catch (const InputError &error)
+    {
+      return fail(error.what(), exit_bad_input);
+    }
+    catch (const ComputationError &error)
+    {
+      return fail(error.what(), exit_failed);
+    }
+    catch (const std::exception &error)
+    {
+      return fail(std::string("a defect of swimtwin, please report it: ") + error.what(), exit_failed);
+    }
+  }
+} // namespace
+
+int main(int argc, char **argv)
+{
+  // PETSc must not read our options or print stack traces of its own: its errors come back as codes.
+  int                                            petsc_argc = 1;
+  char                                         **petsc_argv = argv;
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(petsc_argc, petsc_argv, 1);
+  PetscPushErrorHandler(PetscReturnErrorHandler, nullptr);
+  return run(argc, argv);
 }

@@ -108,7 +108,7 @@ namespace swimtwin
     double mesh_size_m        = 0.;    ///< at the swimmer's surface
     double mesh_size_corner_m = 0.;    ///< at the head's convex corners and at the tail's tip; 0: mesh_size_m
     double mesh_size_far_m    = 0.;    ///< upper bound, far away and at the walls
-    double mesh_growth        = 0.2;   ///< increase of mesh size per length of distance
+    double mesh_growth        = 0.3;   ///< increase of mesh size per length of distance
     int    tail_order         = 2;     ///< 1 or 2
     bool   mirror_meshes      = false; ///< reflect every mesh at y = 0 (to test mirror symmetry)
 
@@ -119,9 +119,9 @@ namespace swimtwin
 
     // coupling and solvers
     Coupling coupling           = Coupling::monolithic;
-    double   coupling_tolerance = 1e-6; ///< on the change of the tail's displacement, relative to sqrt(area) * length
+    double   coupling_tolerance = 1e-6; ///< estimated error of a step's configuration: root mean square over the tail, in body lengths
     int      max_coupling_iterations = 20;
-    double   linear_tolerance        = 1e-9;
+    double   linear_tolerance        = 1e-7; ///< on the preconditioned residual, relative to the solution
     bool     reuse_factorization     = true;
     int      max_step_halvings       = 6;
   };

@@ -231,7 +231,6 @@ namespace swimtwin
         return Outcome::linear_solver_failed;
       Configuration<dim> next   = advance_kinematics(known, bdf.slope_weight, system_->velocities(unknowns), rates);
       const double       change = swimmer_.relative_change(next, guess);
-      if(std::getenv("DBG")) std::fprintf(stderr,"  t %.4f it %d change %.3e its %d\n",time,iteration,change,linear_system_.counts().n_iterations);
       counts_.coupling_cpu_s += cpu_seconds() - moved;
       guess = std::move(next);
       if (iteration == 2)
@@ -320,9 +319,21 @@ namespace swimtwin
   }
 
   template <int dim>
-  ModelState<dim> FullOrderModel<dim>::state() const
+  ModelState<dim> FullOrderModel<dim>::state()
   {
-    ModelState<dim> state{now_, before_, time_step_before_, grid_step_, steps_since_remeshing_, unknowns_, unknowns_before_, {}, {}, counts_};
+    linear_system_.forget_factors();
+    ModelState<dim> state;
+    state.now                          = now_;
+    state.before                       = before_;
+    state.time_step_before_s           = time_step_before_;
+    state.grid_step                    = grid_step_;
+    state.steps_since_remeshing        = steps_since_remeshing_;
+    state.unknowns                     = unknowns_;
+    state.unknowns_before              = unknowns_before_;
+    state.contraction_value            = contraction_.value;
+    state.contraction_measured_at_step = contraction_.measured_at_step;
+    state.counts                       = counts_;
+    state.linear_counts                = linear_system_.counts();
     if (fluid_)
     {
       state.fluid_mesh      = record(fluid_->fluid_mesh());
@@ -343,7 +354,9 @@ namespace swimtwin
     steps_since_remeshing_ = state.steps_since_remeshing;
     unknowns_              = state.unknowns;
     unknowns_before_       = state.unknowns_before;
+    contraction_           = {state.contraction_value, state.contraction_measured_at_step};
     counts_                = state.counts;
+    linear_system_.set_counts(state.linear_counts);
   }
 
   template class FullOrderModel<2>;

@@ -36,7 +36,10 @@ namespace swimtwin
     std::vector<double>                  unknowns, unknowns_before;
     std::optional<FluidMeshRecord<dim>>  fluid_mesh;
     RigidPose<dim>                       pose_at_meshing;
+    double                               contraction_value = 1.;
+    int                                  contraction_measured_at_step = -1000;
     StepCounts                           counts;
+    LinearSolverCounts                   linear_counts;
   };
 
   template <int dim>
@@ -64,7 +67,8 @@ namespace swimtwin
     /// after remeshing or without fluid.
     std::vector<double>      fluid_values() const;
 
-    ModelState<dim> state() const;
+    /// Collective. The next step factorises anew, so that a restored run repeats this one's arithmetic.
+    ModelState<dim> state();
     void            restore(const ModelState<dim> &state);
 
   private:

@@ -50,6 +50,7 @@ namespace swimtwin
     bool solve(std::vector<double> &solution);
 
     const LinearSolverCounts &counts() const { return counts_; }
+    void                      set_counts(const LinearSolverCounts &counts) { counts_ = counts; }
     PetscInt                  size() const { return size_; }
     Mat                       matrix() const { return matrix_; }
 

@@ -132,6 +132,9 @@ namespace swimtwin
   template <int dim>
   Tensor<1, dim> Swimmer<dim>::force_on_head(const double time_s) const
   {
+    // What holds a fixed head carries its weight too, but that is not asked of a scene and not reported.
+    if (scene_.head.fixed)
+      return {};
     return scene_.head.area_m2() * effective_gravity(scene_.head.density_kg_m3, time_s);
   }
 

@@ -1,0 +1,48 @@
+// Pictures drawn by gnuplot: a table, a script that a user can restyle and run again, and the PNG.
+#pragma once
+
+#include <filesystem>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace swimtwin
+{
+  /// Blocks of numbers as gnuplot's `index` counts them, each under a comment that names its columns.
+  class GnuplotTable
+  {
+  public:
+    void begin_block(std::string_view columns);
+    void add_row(std::initializer_list<double> values);
+
+    const std::string &text() const { return text_; }
+
+  private:
+    std::string text_;
+  };
+
+  /// One picture `name`.png. The script finds the variables assigned and the style loaded before its first line, and
+  /// reads the table as the file `data`.
+  struct GnuplotPicture
+  {
+    std::string                                      name;
+    std::vector<std::pair<std::string, std::string>> variables; ///< name, value as gnuplot reads it
+    GnuplotTable                                     table;
+    std::string_view                                 script;
+
+    void set(const std::string &variable, double value);
+    void set_flag(const std::string &variable, bool value);
+    /// A line of text, shown as it is: gnuplot's marks for subscripts and the like have no effect.
+    void set_text(const std::string &variable, std::string_view text);
+  };
+
+  bool gnuplot_is_installed();
+
+  /// Write style.gp, name.dat and name.gp; `origin` is a comment in each. Throws ComputationError (disk full, ...).
+  void write_gnuplot_files(const std::filesystem::path &folder, const GnuplotPicture &picture, std::string_view origin);
+
+  /// Run name.gp in its folder. Throws ComputationError with gnuplot's message. Returns the PNG.
+  std::filesystem::path draw_png(const std::filesystem::path &folder, const std::string &name);
+} // namespace swimtwin

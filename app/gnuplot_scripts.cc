@@ -1,0 +1,187 @@
+#include <app/gnuplot_scripts.h>
+
+namespace swimtwin::gnuplot_scripts
+{
+  const std::string_view style =
+      R"gp(# The look shared by the pictures of this folder: change it here, then run gnuplot on the scripts again.
+set encoding utf8
+if (strlen(picture) > 4 && picture[strlen(picture)-3:*] eq '.svg') {
+  set terminal svg size 1600,1000 enhanced font 'DejaVu Sans,19' linewidth 1.6 background '#ffffff'
+} else {
+  set terminal pngcairo size 1600,1000 enhanced font 'DejaVu Sans,19' linewidth 1.6 background '#ffffff'
+}
+set output picture
+
+head_color        = '#1d4e89'
+tail_color        = '#d1662b'
+magnetic_color    = '#1d4e89'
+dissipation_color = '#c23b4e'
+elastic_color     = '#3a9a6b'
+external_color    = '#8a5fa8'
+field_color       = '#3f3f46'
+pale_color        = '#b4bac4'
+text_color        = '#26262b'
+note_color        = '#5f6673'
+
+set border 3 lw 0.8 lc rgb '#5f6673'
+set tics out nomirror scale 0.5 textcolor rgb text_color
+set grid back lt 1 lw 0.5 lc rgb '#e3e6ea'
+set xlabel tc rgb text_color offset 0,0.2
+set ylabel tc rgb text_color offset -0.5,0
+set minussign
+set label 1 heading at screen 0.105,0.957 left font ',25' tc rgb text_color
+set label 2 caption at screen 0.105,0.912 left font ',18' tc rgb note_color
+
+# early to late, readable in grey and for the colour-blind
+set palette defined (0 '#fbbf5b', 0.25 '#ee7d50', 0.5 '#c23b6a', 0.75 '#712c86', 1 '#22175c')
+cyclic_palette = "set palette defined (0 '#22175c', 0.17 '#2f6fb5', 0.34 '#35a892', 0.5 '#e3b23c', 0.67 '#dc6a3a', 0.84 '#a52a6b', 1 '#22175c')"
+
+# eval(panel) puts the next plot between left, right, top and bottom (parts of the picture); eval(one_scale) sets ranges
+# that show x_min ... y_max in it with the same scale on both axes and fill it. The key stands
+# above the panel.
+panel = "set key at screen right, top + 0.043 right top horizontal Left reverse width 1 samplen 1.8 textcolor rgb text_color; \
+  set lmargin at screen left; set rmargin at screen right; \
+  set tmargin at screen top; set bmargin at screen bottom"
+zoom_out = 1.14
+larger(a, b) = a > b ? a : b
+one_scale = "w = 1600. * (right - left); h = 1000. * (top - bottom); \
+  half = 0.5 * zoom_out * larger((x_max - x_min) / w, (y_max - y_min) / h); \
+  set xrange [0.5*(x_min + x_max) - half*w : 0.5*(x_min + x_max) + half*w]; \
+  set yrange [0.5*(y_min + y_max) - half*h : 0.5*(y_min + y_max) + half*h]"
+)gp";
+
+  const std::string_view trajectory = R"gp(
+left = 0.105; right = 0.875
+set multiplot
+
+# the path, with one scale on both axes
+top = 0.835; bottom = 0.48
+eval(panel)
+eval(one_scale)
+set xlabel 'x (mm)'
+set ylabel 'y (mm)'
+set cblabel time_label offset 1,0
+set cbrange [t_min:t_max]
+set colorbox user origin screen right + 0.02, screen bottom size screen 0.013, screen top - bottom noborder
+x_arrow = left + 0.013; y_arrow = top + 0.025 # in the direction of the head, above the panel
+set arrow 1 from screen x_arrow - 0.0125*cos(head_first), screen y_arrow - 0.02*sin(head_first) \
+  rto screen 0.025*cos(head_first), screen 0.04*sin(head_first) lw 1.6 lc rgb note_color head filled size screen 0.009,22
+set label 3 'head first' at screen x_arrow + 0.02, screen y_arrow left font ',17' tc rgb note_color
+plot data index 0 using 2:3:1 with lines lw 2.2 lc palette notitle, \
+     data index 1 using 2:3:1 with points pt 7 ps 1.9 lc palette notitle, \
+     data index 1 using 2:3 with points pt 6 ps 1.9 lw 1.2 lc rgb text_color title border_title
+unset label 1; unset label 2; unset label 3; unset arrow 1; unset colorbox
+
+# the displacement
+top = 0.365; bottom = 0.115
+eval(panel)
+set xrange [t_min:t_max]
+set yrange [*:*]
+set offsets 0,0,graph 0.05,graph 0.05
+set xlabel time_label
+set ylabel 'displacement (mm)'
+plot data index 0 using 1:4 with lines lw 2.2 lc rgb head_color notitle, \
+     data index 1 using 1:4 with points pt 7 ps 1.5 lc rgb head_color notitle
+unset multiplot
+)gp";
+
+  const std::string_view angles = R"gp(
+set multiplot
+left = 0.105; right = 0.965
+set xrange [t_min:t_max]
+top = 0.835; bottom = has_field ? 0.425 : 0.12
+eval(panel)
+set offsets 0,0,graph 0.05,graph 0.05
+set ylabel 'angle (degrees)'
+set xlabel (has_field ? '' : time_label)
+if (has_field) { set format x '' }
+set xzeroaxis lt 1 lw 0.8 lc rgb pale_color
+if (has_head && has_tail) {
+  plot data using 1:2 with lines lw 2.4 lc rgb head_color title 'head', \
+       data using 1:3 with lines lw 2.4 lc rgb tail_color title 'tail tip'
+} else {
+  plot data using 1:(has_head ? $2 : $3) with lines lw 2.4 lc rgb (has_head ? head_color : tail_color) title (has_head ? 'head' : 'tail tip')
+}
+unset label 1; unset label 2
+
+if (has_field) {
+  top = 0.355; bottom = 0.12
+  eval(panel)
+  set format x '%g'
+  set offsets 0,0,graph 0.05,graph 0.05
+  set xlabel time_label
+  set ylabel 'field (mT)'
+  plot data using 1:5 with lines lw 2.2 lc rgb field_color title 'b_y', \
+       data using 1:4 with lines lw 1.6 dt (8,5) lc rgb field_color title 'b_x'
+}
+unset multiplot
+)gp";
+
+  const std::string_view stroke_loop = R"gp(
+left = 0.105; right = 0.965; top = 0.835; bottom = 0.12
+eval(panel)
+eval(one_scale)
+set xlabel 'head angle (degrees)'
+set ylabel 'tail angle (degrees)'
+set xzeroaxis lt 1 lw 0.8 lc rgb pale_color
+set yzeroaxis lt 1 lw 0.8 lc rgb pale_color
+plot data index 1 using 1:2 with filledcurves closed lc rgb tail_color fs transparent solid 0.10 noborder notitle, \
+     data index 0 using 1:2 with lines lw 1.2 lc rgb pale_color title earlier_title, \
+     data index 1 using 1:2 with lines lw 2.8 lc rgb tail_color title loop_title, \
+     data index 3 using 1:2:3:4 with vectors head filled size screen 0.014,22,90 fixed lw 2.2 lc rgb tail_color notitle, \
+     data index 2 using 1:2 with points pt 7 ps 1.6 lc rgb tail_color title 'quarters of the period', \
+     data index 2 using 3:4:(word('0 ¼ ½ ¾', int(4*$5 + 1.5))) with labels font ',18' tc rgb text_color notitle
+)gp";
+
+  const std::string_view power_balance = R"gp(
+set multiplot
+left = 0.105; right = 0.965
+set xrange [t_min:t_max]
+set xzeroaxis lt 1 lw 0.8 lc rgb pale_color
+top = 0.835; bottom = has_residual ? 0.425 : 0.12
+eval(panel)
+set offsets 0,0,graph 0.05,graph 0.05
+set ylabel 'power per depth ('.power_unit.')'
+set xlabel (has_residual ? '' : time_label)
+if (has_residual) { set format x '' }
+# curves that are zero all along point at a number that is not one
+plot data index 0 using 1:(has_magnetic ? $2 : NaN) with lines lw 2.4 lc rgb magnetic_color title (has_magnetic ? 'magnetic power' : ''), \
+     data index 0 using 1:(has_external ? $3 : NaN) with lines lw 2.4 lc rgb external_color title (has_external ? 'external power' : ''), \
+     data index 0 using 1:(has_dissipation ? $4 : NaN) with lines lw 2.4 lc rgb dissipation_color title (has_dissipation ? 'dissipation' : ''), \
+     data index 1 using 1:(has_elastic ? $2 : NaN) with lines lw 2.4 lc rgb elastic_color title (has_elastic ? 'rate of elastic energy' : '')
+unset label 1; unset label 2
+
+if (has_residual) {
+  top = 0.355; bottom = 0.12
+  eval(panel)
+  set format x '%g'
+  set offsets 0,0,graph 0.05,graph 0.05
+  set xlabel time_label
+  set ylabel 'residual (%)'
+  plot data index 1 using 1:3 with filledcurves y=0 lc rgb field_color fs transparent solid 0.12 noborder notitle, \
+       data index 1 using 1:3 with lines lw 1.8 lc rgb field_color title residual_title
+}
+unset multiplot
+)gp";
+
+  const std::string_view shapes = R"gp(
+left = 0.105; right = 0.875; top = 0.835; bottom = 0.12
+eval(panel)
+eval(one_scale)
+set xlabel 'x (mm)'
+set ylabel 'y (mm)'
+if (cyclic) { eval(cyclic_palette) }
+set cbrange [t_min:t_max]
+set cblabel instant_label offset (cyclic ? 2.5 : 1),0
+set colorbox user origin screen right + 0.02, screen bottom size screen 0.013, screen top - bottom noborder
+if (cyclic) { set cbtics ('0' 0, '¼' 0.25, '½' 0.5, '¾' 0.75, '1' 1) }
+
+# Index 0: path of the tail's tip; then two blocks per instant: tail (empty without one) and head.
+color(k) = word(instants, k) + 0
+plot for [k=1:words(instants)] data index 2*k-1 using 2:3 with filledcurves closed lc palette cb color(k) fs transparent solid 0.13 noborder notitle, \
+     for [k=1:words(instants)] data index 2*k using 2:3 with filledcurves closed lc palette cb color(k) fs transparent solid 0.12 noborder notitle, \
+     for [k=1:words(instants)] data index 2*k-1 using 2:3 with lines lw 1.8 lc palette cb color(k) notitle, \
+     for [k=1:words(instants)] data index 2*k using 2:3 with lines lw 1.8 lc palette cb color(k) notitle, \
+     data index 0 using 2:3 with lines lw 1.6 dt (3,3) lc rgb field_color title path_title
+)gp";
+} // namespace swimtwin::gnuplot_scripts

@@ -1,0 +1,58 @@
+// Verb plan: what will be solved, what is skipped and why, and what it will cost. Meshes, but solves nothing.
+#include <app/progress_bar.h>
+#include <app/verb.h>
+
+#include <datasets/output_folder.h>
+#include <fom/run_plan.h>
+
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace swimtwin
+{
+  namespace
+  {
+    std::string describe(const Scene &scene, const RunPlan &plan)
+    {
+      std::string text = fmt::format("Plan for {}\n", scene.name);
+      const auto  list = [&](const char *title, const std::vector<PlanItem> &items) {
+        text += fmt::format("{}\n", title);
+        for (const auto &[what, why] : items)
+          text += fmt::format("  {:<22} {}\n", what, why);
+      };
+      list("Solved", plan.solved);
+      list("Skipped", plan.skipped);
+      list("Numbers", plan.numbers);
+      text += fmt::format("Size\n  fluid mesh             {} triangles, worst quality {:.2f}\n  tail mesh              {} triangles\n"
+                          "  unknowns               {}\n  steps                  {} of {:.4g} s\n",
+                          plan.n_fluid_cells, plan.mesh_quality, plan.n_tail_cells, plan.n_unknowns, scene.time.n_steps(), scene.time.time_step_s());
+      text += fmt::format("Estimate (one core)\n  time                   {}\n  memory                 {:.0f} MB\n", duration_text(plan.estimated_time_s), plan.estimated_memory_MB);
+      for (const auto &warning : plan.warnings)
+        text += fmt::format("Warning: {}\n", warning);
+      return text;
+    }
+  } // namespace
+
+  Work add_plan(CLI::App &tool, const std::string &command_line)
+  {
+    auto  common = std::make_shared<CommonOptions>();
+    auto *verb   = tool.add_subcommand("plan", "Say what a run would solve, skip and cost; run nothing");
+    verb->add_option("scene", common->scene, "Scene file, or name of a shipped scene")->required();
+    add_common_options(*verb, *common, OutputFolder::optional);
+    common->command_line = command_line;
+    return [common] {
+      const Scene scene = load_scene(*common);
+      if (is_speaker() && !common->output.empty())
+        prepare_output_folder(common->output, {"plan.txt"}, common->force);
+      const RunPlan plan = plan_run(scene, MPI_COMM_WORLD);
+      if (!is_speaker())
+        return;
+      const std::string text = describe(scene, plan);
+      if (!common->output.empty())
+        write_text_atomically(common->output / "plan.txt", text);
+      if (!common->quiet)
+        fmt::print("{}", text);
+    };
+  }
+} // namespace swimtwin

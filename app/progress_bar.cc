@@ -1,0 +1,42 @@
+#include <app/progress_bar.h>
+
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+
+namespace swimtwin
+{
+  ProgressBar::ProgressBar(const bool quiet) : visible_(!quiet && isatty(STDERR_FILENO) != 0) {}
+
+  ProgressBar::~ProgressBar()
+  {
+    if (visible_)
+      std::fputs("\r\033[K", stderr);
+  }
+
+  void ProgressBar::show(const int done, const int total, const int rate_steps, const double elapsed_s)
+  {
+    constexpr int    width    = 30;
+    constexpr double interval = 0.2;
+    if (!visible_ || (done < total && elapsed_s - last_shown_s_ < interval))
+      return;
+    last_shown_s_     = elapsed_s;
+    const int  filled = width * done / total;
+    const auto left   = rate_steps > 0 ? duration_text(elapsed_s / rate_steps * (total - done)) + " left" : std::string();
+    fmt::print(stderr, "\r\033[K[{:#<{}}{:.<{}}] step {} of {}  {}", "", filled, "", width - filled, done, total, left);
+    std::fflush(stderr);
+  }
+
+  std::string duration_text(const double seconds)
+  {
+    const long s = std::lround(seconds);
+    if (s < 60)
+      return fmt::format("{} s", s);
+    if (s < 3600)
+      return fmt::format("{} min {} s", s / 60, s % 60);
+    return fmt::format("{} h {} min", s / 3600, s % 3600 / 60);
+  }
+} // namespace swimtwin

@@ -1,0 +1,73 @@
+// Verb resistance: the rigid resistance matrix of a scene's swimmer at rest.
+#include <app/verb.h>
+
+#include <datasets/error.h>
+#include <datasets/output_folder.h>
+#include <datasets/provenance.h>
+#include <fom/resistance.h>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <memory>
+
+namespace swimtwin
+{
+  namespace
+  {
+    nlohmann::ordered_json to_json(const ResistanceResult<2> &result, const Scene &scene, const std::string &command_line, const double wall_time_s)
+    {
+      nlohmann::ordered_json json;
+      json["matrix"] = nlohmann::ordered_json::array();
+      for (int i = 0; i < 3; ++i)
+        json["matrix"].push_back({result.matrix(i, 0), result.matrix(i, 1), result.matrix(i, 2)});
+      json["order"]       = {"Ux", "Uy", "omega"};
+      json["units"]       = "force and torque of the body on the fluid per unit depth: Pa s, Pa s m, Pa s m^2; torque about the head's centre";
+      json["asymmetry"]   = result.asymmetry;
+      json["n_unknowns"]  = result.n_unknowns;
+      json["n_cells"]     = result.n_cells;
+      json["wall_time_s"] = wall_time_s;
+      json["provenance"]  = {{"program_version", SWIMTWIN_VERSION},
+                             {"command_line", command_line},
+                             {"scene_hash", scene.hash},
+                             {"created", utc_time_now()},
+                             {"scene_text", scene.text}};
+      return json;
+    }
+
+    void print(const ResistanceResult<2> &result)
+    {
+      fmt::print("Resistance of the body at rest, per unit depth ({} unknowns, asymmetry {:.1e})\n", result.n_unknowns, result.asymmetry);
+      fmt::print("  {:>16} {:>16} {:>16}\n", "Ux", "Uy", "omega");
+      const char *const rows[] = {"Fx", "Fy", "T "};
+      for (int i = 0; i < 3; ++i)
+        fmt::print("{} {:16.8e} {:16.8e} {:16.8e}\n", rows[i], result.matrix(i, 0), result.matrix(i, 1), result.matrix(i, 2));
+    }
+  } // namespace
+
+  Work add_resistance(CLI::App &tool, const std::string &command_line)
+  {
+    auto  common = std::make_shared<CommonOptions>();
+    auto *verb   = tool.add_subcommand("resistance", "Hydrodynamic resistance matrix of a scene's swimmer, moved as a rigid body");
+    verb->add_option("scene", common->scene, "Scene file, or name of a shipped scene")->required();
+    add_common_options(*verb, *common, OutputFolder::required);
+    common->command_line = command_line;
+    return [common] {
+      const auto  start = std::chrono::steady_clock::now();
+      const Scene scene = load_scene(*common);
+      if (!scene.fluid)
+        throw InputError(scene.name + " has no [fluid]: a resistance matrix needs one; add [fluid] and [domain]");
+      if (is_speaker())
+        prepare_output_folder(common->output, {"resistance.json"}, common->force);
+      const Swimmer<2> swimmer(scene, MPI_COMM_WORLD);
+      const auto       result = compute_resistance(swimmer, swimmer.configuration_at_rest(), MPI_COMM_WORLD);
+      if (!is_speaker())
+        return;
+      const double wall_time_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      write_text_atomically(common->output / "resistance.json", to_json(result, scene, common->command_line, wall_time_s).dump(2) + "\n");
+      if (!common->quiet)
+        print(result);
+    };
+  }
+} // namespace swimtwin

@@ -1,0 +1,103 @@
+// Verb simulate: one run of the full-order model.
+#include <app/plots.h>
+#include <app/progress_bar.h>
+#include <app/simulate.h>
+#include <app/simulation_report.h>
+
+#include <datasets/error.h>
+#include <datasets/output_folder.h>
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+
+namespace swimtwin
+{
+  namespace
+  {
+    const char *const checkpoint = "checkpoint.h5";
+
+    /// False if there is nothing left to do. Only rank 0 touches the disk; the others learn the outcome.
+    bool prepare_folder(const CommonOptions &common, const bool resume)
+    {
+      const auto has = [&](const std::string &name) { return std::filesystem::exists(common.output / name); };
+      if (resume)
+      {
+        if (!has(checkpoint) && has("trajectory.csv"))
+          return false;
+        prepare_output_folder(common.output, {}, true);
+        return true;
+      }
+      auto results = simulation_results();
+      if (has(checkpoint) && !common.force)
+        throw InputError((common.output / checkpoint).string() +
+                         " is there from a run that was interrupted: go on with "
+                         "--resume, or start afresh with --force");
+      prepare_output_folder(common.output, results, common.force);
+      std::filesystem::remove(common.output / checkpoint);
+      return true;
+    }
+  } // namespace
+
+  void simulate_and_report(const Scene &scene, const CommonOptions &common, const SimulateOptions &own)
+  {
+    bool go_on = true;
+    if (is_speaker())
+      go_on = prepare_folder(common, own.resume);
+    MPI_Bcast(&go_on, sizeof go_on, MPI_BYTE, 0, MPI_COMM_WORLD);
+    if (!go_on)
+    {
+      if (is_speaker() && !common.quiet)
+        fmt::print("{} is complete: nothing to resume\n", common.output.string());
+      return;
+    }
+
+    SimulationOptions options;
+    options.folder       = common.output;
+    options.command_line = common.command_line;
+    options.resume       = own.resume;
+    auto bar             = std::make_unique<ProgressBar>(common.quiet || !is_speaker());
+    options.on_progress  = [&](const SimulationProgress &p) {
+      bar->show(p.steps_done, p.steps_total, p.steps_done_here, p.wall_time_s);
+    };
+    const auto result = simulate(scene, options, MPI_COMM_WORLD);
+    bar.reset();
+    if (!is_speaker())
+      return;
+
+    std::string                        warning;
+    std::vector<std::filesystem::path> pictures;
+    if (own.pictures)
+    {
+      std::optional<SnapshotSet> snapshots;
+      if (scene.tail)
+        snapshots = result.snapshots;
+      pictures = draw_run(common.output, scene, result.trajectory, result.summary, snapshots, warning);
+    }
+    if (!warning.empty())
+      fmt::print(stderr, "swimtwin: {}\n", warning);
+    if (common.quiet)
+      return;
+    fmt::print("{}", describe(scene, result.summary));
+    fmt::print("  results in {}\n", common.output.string());
+    for (const auto &picture : pictures)
+      fmt::print("  picture {}\n", picture.string());
+  }
+
+  Work add_simulate(CLI::App &tool, const std::string &command_line)
+  {
+    auto  common = std::make_shared<CommonOptions>();
+    auto  own    = std::make_shared<SimulateOptions>();
+    auto *verb   = tool.add_subcommand("simulate", "Run the full-order model on a scene");
+    verb->add_option("scene", common->scene, "Scene file, or name of a shipped scene")->required();
+    add_common_options(*verb, *common, OutputFolder::required);
+    verb->add_flag("--resume", own->resume, "Go on from the last checkpoint of an interrupted run");
+    verb->add_flag("--pictures", own->pictures, "Draw trajectory, angles, stroke loop, power balance and shapes");
+    common->command_line = command_line;
+    return [common, own] {
+      const Scene scene = load_scene(*common);
+      simulate_and_report(scene, *common, *own);
+    };
+  }
+} // namespace swimtwin

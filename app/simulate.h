@@ -1,0 +1,16 @@
+// One run of the full-order model with its report: shared by the verbs simulate and demo.
+#pragma once
+
+#include <app/verb.h>
+
+#include <fom/simulation.h>
+
+namespace swimtwin
+{
+  struct SimulateOptions
+  {
+    bool resume = false, pictures = false;
+  };
+
+  void simulate_and_report(const Scene &scene, const CommonOptions &common, const SimulateOptions &own);
+} // namespace swimtwin

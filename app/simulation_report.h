@@ -1,0 +1,13 @@
+// What the tool says after a run.
+#pragma once
+
+#include <datasets/scene.h>
+#include <datasets/trajectory.h>
+
+#include <string>
+
+namespace swimtwin
+{
+  /// A few lines: displacement per period, power balance, effort.
+  std::string describe(const Scene &scene, const RunSummary &summary);
+} // namespace swimtwin

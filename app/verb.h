@@ -1,0 +1,41 @@
+// What all verbs share: their common options and how a scene is found.
+#pragma once
+
+#include <datasets/scene.h>
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace swimtwin
+{
+  /// Options of every verb that reads a scene and writes a folder.
+  struct CommonOptions
+  {
+    std::string              scene; ///< a file, or the name of a shipped scene
+    std::filesystem::path    output;
+    std::vector<std::string> overrides;
+    bool                     force = false, quiet = false;
+    std::string              command_line;
+  };
+
+  enum class OutputFolder { required, optional };
+
+  void add_common_options(CLI::App &verb, CommonOptions &options, OutputFolder output);
+
+  /// The scene of the options, with its overrides. Throws InputError.
+  Scene load_scene(const CommonOptions &options);
+
+  /// Whether this process prints: rank 0.
+  bool is_speaker();
+
+  // Each verb adds itself to the tool and returns its work, to be called if the user chose it.
+  using Work = std::function<void()>;
+  Work add_plan(CLI::App &tool, const std::string &command_line);
+  Work add_simulate(CLI::App &tool, const std::string &command_line);
+  Work add_resistance(CLI::App &tool, const std::string &command_line);
+  Work add_demo(CLI::App &tool, const std::string &command_line);
+} // namespace swimtwin

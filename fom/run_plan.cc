@@ -1,0 +1,138 @@
+#include <fom/run_plan.h>
+
+#include <fom/full_order_model.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace swimtwin
+{
+  namespace
+  {
+    /// One core, 2D, MUMPS with OpenBLAS: CPU time per coupling iteration and memory against unknowns, as measured by
+    /// bench/work_precision on the shipped reference scene (docs/benchmarks.md).
+    double seconds_per_iteration(const double n_unknowns) { return 0.028 * std::pow(n_unknowns / 7400., 1.2); }
+    double memory_MB(const double n_unknowns) { return 210. + 0.017 * n_unknowns; }
+    constexpr double iterations_per_step = 1.5;
+
+    void plan_fluid(const Scene &scene, RunPlan &plan)
+    {
+      if (!scene.fluid)
+      {
+        plan.skipped.push_back({"fluid", "the scene has none: the tail is in equilibrium with its loads at every instant"});
+        return;
+      }
+      plan.solved.push_back({"fluid", "Stokes flow, P2/P1 triangles with second-order geometry"});
+      const double group = unsteady_group(scene);
+      plan.numbers.push_back({"unsteady group", fmt::format("2 pi rho f L^2 / mu = {:.3g}", group)});
+      plan.skipped.push_back({"fluid inertia", fmt::format("the quasi-static model neglects it; relative size of what is neglected: up to {:.2g}", group)});
+      if (group > 1.)
+        plan.warnings.push_back(fmt::format("the unsteady group is {:.3g}: fluid inertia is not small, and this version neglects it; lower [field] "
+                                            "frequency_Hz or raise [fluid] viscosity_Pa_s to trust the result",
+                                            group));
+    }
+
+    void plan_body(const Scene &scene, RunPlan &plan)
+    {
+      if (!scene.tail)
+        plan.skipped.push_back({"elasticity", "the body has no tail: one rigid body with three velocities"});
+      else
+      {
+        plan.solved.push_back({"tail", fmt::format("{}, P{} displacement, total Lagrangian", scene.tail->law == MaterialModel::neo_hookean ? "compressible neo-Hookean" : "St Venant-Kirchhoff", scene.numerics.tail_order)});
+        plan.skipped.push_back({"solid inertia", "quasi-static: the tail is in equilibrium with the flow"});
+        if (scene.fluid && scene.time.period_s > 0.)
+          plan.numbers.push_back({"elastic group", fmt::format("E h^3 / (12 (1 - nu^2) mu f L^3) = {:.3g}", elastic_group(scene))});
+      }
+      if (scene.head.fixed)
+        plan.skipped.push_back({"head's motion", "fixed; the force and torque that hold it are reported"});
+      else
+        plan.solved.push_back({"head", "rigid, three velocities, eliminated on its surface by the motion map"});
+      const bool magnetic = scene.field.waveform() != FieldProgram::Waveform::none &&
+                            (scene.head.magnetization_A_m != 0. || (scene.tail && scene.tail->magnetization_A_m != 0.));
+      if (!magnetic)
+        plan.skipped.push_back({"magnetic terms", "no field, or nothing magnetised"});
+      else if (scene.fluid && scene.head.magnetization_A_m != 0.)
+        plan.numbers.push_back({"magnetic group", fmt::format("M A B / (mu f L^2) = {:.3g}", magnetic_group(scene))});
+    }
+
+    void plan_mesh(const Scene &scene, RunPlan &plan)
+    {
+      if (!scene.fluid)
+        return;
+      const bool body_is_still = scene.head.fixed && !scene.tail;
+      const bool moves_along   = scene.domain->moves_with_swimmer && !scene.tail;
+      if (body_is_still || moves_along)
+        plan.skipped.push_back({"mesh motion", body_is_still ? "nothing moves" : "the domain moves with the rigid body"});
+      else
+      {
+        plan.solved.push_back({"mesh motion", "an extension from the mesh as it was made: one factorisation per mesh"});
+        plan.solved.push_back({"remeshing", scene.numerics.remesh_every_steps > 0 ?
+                                              fmt::format("every {} steps, and below quality {}", scene.numerics.remesh_every_steps, scene.numerics.remesh_quality) :
+                                              fmt::format("only when an element's quality falls below {}", scene.numerics.remesh_quality)});
+      }
+      if (scene.numerics.reuse_factorization)
+        plan.skipped.push_back({"factorisations", "old factors precondition GMRES while that is cheaper than new ones"});
+      plan.skipped.push_back({"coupling iterations", fmt::format("a step ends when its estimated error is below {:.0e} body lengths", scene.numerics.coupling_tolerance)});
+    }
+  } // namespace
+
+  double unsteady_group(const Scene &scene)
+  {
+    if (!scene.fluid || scene.time.period_s <= 0.)
+      return 0.;
+    const double L = scene.body_length_m();
+    return 2. * std::numbers::pi * scene.fluid->density_kg_m3 * L * L / (scene.time.period_s * scene.fluid->viscosity_Pa_s);
+  }
+
+  double magnetic_group(const Scene &scene)
+  {
+    if (!scene.fluid || scene.time.period_s <= 0.)
+      return 0.;
+    const auto   field = scene.field(0.25 * scene.time.period_s);
+    const double L     = scene.body_length_m();
+    return scene.head.magnetization_A_m * scene.head.area_m2() * std::hypot(field[0], field[1]) * scene.time.period_s /
+           (scene.fluid->viscosity_Pa_s * L * L);
+  }
+
+  double elastic_group(const Scene &scene)
+  {
+    if (!scene.fluid || !scene.tail || scene.time.period_s <= 0.)
+      return 0.;
+    const Tail  &tail = *scene.tail;
+    const double h    = .5 * (tail.root_height_m + tail.tip_height_m);
+    return tail.young_modulus_Pa * std::pow(h / tail.length_m, 3) * scene.time.period_s /
+           (12. * (1. - tail.poisson_ratio * tail.poisson_ratio) * scene.fluid->viscosity_Pa_s);
+  }
+
+  RunPlan plan_run(const Scene &scene, const MPI_Comm communicator)
+  {
+    RunPlan plan;
+    plan_fluid(scene, plan);
+    plan_body(scene, plan);
+    plan_mesh(scene, plan);
+    if (scene.output.fields_per_period == 0)
+      plan.skipped.push_back({"field output", "[output] fields_per_period = 0"});
+
+    const Swimmer<2>               swimmer(scene, communicator);
+    std::unique_ptr<FluidDomain<2>> fluid;
+    if (scene.fluid)
+    {
+      const auto rest = swimmer.configuration_at_rest();
+      fluid = std::make_unique<FluidDomain<2>>(
+        scene,
+        make_fluid_mesh(*scene.domain, swimmer.surface(rest), swimmer.surface_mesh_size(), rest.pose, rest.pose, scene.numerics, communicator), rest.pose);
+      plan.n_fluid_cells = fluid->mesh().n_cells();
+      plan.mesh_quality  = fluid->quality();
+    }
+    if (swimmer.has_tail())
+      plan.n_tail_cells = swimmer.tail().mesh.n_cells();
+    LinearSystem           system(communicator, {});
+    const CoupledSystem<2> coupled(swimmer, fluid.get(), system, communicator);
+    plan.n_unknowns          = coupled.n_unknowns();
+    plan.estimated_time_s    = scene.time.n_steps() * iterations_per_step * seconds_per_iteration(plan.n_unknowns);
+    plan.estimated_memory_MB = memory_MB(plan.n_unknowns);
+    return plan;
+  }
+} // namespace swimtwin

@@ -1,0 +1,45 @@
+// A whole run: step, record, checkpoint, write.
+#pragma once
+
+#include <datasets/scene.h>
+#include <datasets/snapshot_set.h>
+#include <datasets/trajectory.h>
+
+#include <mpi.h>
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+namespace swimtwin
+{
+  struct SimulationProgress
+  {
+    int    steps_done, steps_total;
+    double wall_time_s; ///< since the start of this process's part of the run
+    int    steps_done_here; ///< without those done before a resume
+  };
+
+  struct SimulationOptions
+  {
+    std::filesystem::path                           folder; ///< exists; nothing is written elsewhere
+    std::string                                     command_line;
+    bool                                            resume = false; ///< go on from checkpoint.h5, if there is one
+    std::function<void(const SimulationProgress &)> on_progress;
+  };
+
+  struct SimulationResult
+  {
+    Trajectory  trajectory;
+    RunSummary  summary;
+    SnapshotSet snapshots; ///< empty without a tail
+  };
+
+  /// Run a scene and write trajectory.csv, summary.json, snapshots.h5 (with a tail) and, when the scene asks, fields/.
+  /// Results take their names when the run is complete; until then only checkpoint.h5 grows. If the computation fails,
+  /// summary.json says why, the checkpoint stays, and the ComputationError is passed on. Collective.
+  SimulationResult simulate(const Scene &scene, const SimulationOptions &options, MPI_Comm communicator);
+
+  /// Names of the files that a run leaves, to be refused or replaced.
+  std::vector<std::string> simulation_results();
+} // namespace swimtwin
