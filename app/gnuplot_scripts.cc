@@ -51,16 +51,16 @@ one_scale = "w = 1600. * (right - left); h = 1000. * (top - bottom); \
 )gp";
 
   const std::string_view trajectory = R"gp(
-left = 0.105; right = 0.875
 set multiplot
+tall = y_max - y_min > 0.5 * (x_max - x_min) # then the path stands beside the displacement, else above it
 
 # the path, with one scale on both axes
-top = 0.835; bottom = 0.48
+left = 0.105; right = tall ? 0.39 : 0.875; top = 0.835; bottom = tall ? 0.12 : 0.48
 eval(panel)
 eval(one_scale)
 set xlabel 'x (mm)'
 set ylabel 'y (mm)'
-set cblabel time_label offset 1,0
+set cblabel time_label offset 0.3,0
 set cbrange [t_min:t_max]
 set colorbox user origin screen right + 0.02, screen bottom size screen 0.013, screen top - bottom noborder
 x_arrow = left + 0.013; y_arrow = top + 0.025 # in the direction of the head, above the panel
@@ -68,20 +68,22 @@ set arrow 1 from screen x_arrow - 0.0125*cos(head_first), screen y_arrow - 0.02*
   rto screen 0.025*cos(head_first), screen 0.04*sin(head_first) lw 1.6 lc rgb note_color head filled size screen 0.009,22
 set label 3 'head first' at screen x_arrow + 0.02, screen y_arrow left font ',17' tc rgb note_color
 plot data index 0 using 2:3:1 with lines lw 2.2 lc palette notitle, \
-     data index 1 using 2:3:1 with points pt 7 ps 1.9 lc palette notitle, \
-     data index 1 using 2:3 with points pt 6 ps 1.9 lw 1.2 lc rgb text_color title border_title
+     data index 1 using 2:3:1 with points pt 7 ps 1.7 lc palette notitle, \
+     data index 1 using 2:3 with points pt 6 ps 1.7 lw 1.2 lc rgb text_color notitle
 unset label 1; unset label 2; unset label 3; unset arrow 1; unset colorbox
 
-# the displacement
-top = 0.365; bottom = 0.115
+# the displacement, with the same marks
+if (tall) { left = 0.63; right = 0.965 } else { top = 0.365; bottom = 0.115 }
 eval(panel)
 set xrange [t_min:t_max]
 set yrange [*:*]
 set offsets 0,0,graph 0.05,graph 0.05
 set xlabel time_label
 set ylabel 'displacement (mm)'
+set xzeroaxis lt 1 lw 0.8 lc rgb pale_color
 plot data index 0 using 1:4 with lines lw 2.2 lc rgb head_color notitle, \
-     data index 1 using 1:4 with points pt 7 ps 1.5 lc rgb head_color notitle
+     data index 1 using 1:4:1 with points pt 7 ps 1.7 lc palette notitle, \
+     data index 1 using 1:4 with points pt 6 ps 1.7 lw 1.2 lc rgb text_color title border_title
 unset multiplot
 )gp";
 

@@ -74,6 +74,7 @@ namespace swimtwin
       while (done % ticks != 0 || (time_step_before_ > 0. && ticks * tick > 2.0001 * time_step_before_))
         ticks /= 2;
       const Outcome outcome = try_step(ticks * tick);
+      if (outcome != Outcome::accepted) std::fprintf(stderr, "DBG t %g dt %g %s its %d\n", now_.time_s, ticks * tick, cause(outcome).c_str(), iterations_of_last_step_);
       if (outcome == Outcome::accepted)
       {
         done += ticks;
@@ -232,6 +233,7 @@ namespace swimtwin
       Configuration<dim> next   = advance_kinematics(known, bdf.slope_weight, system_->velocities(unknowns), rates);
       const double       change = swimmer_.relative_change(next, guess);
       counts_.coupling_cpu_s += cpu_seconds() - moved;
+ if(std::getenv("DBG")) std::fprintf(stderr,"  t %.4f it %d change %.3e q %.3f\n",time,iteration,change,fluid_?fluid_->quality():0.);
       guess = std::move(next);
       if (iteration == 2)
         contraction_ = {change / change_before, counts_.n_steps};

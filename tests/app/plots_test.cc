@@ -3,6 +3,9 @@
 #include <tests/app/synthetic_run.h>
 #include <tests/datasets/temporary_folder.h>
 
+#include <algorithm>
+#include <cstdlib>
+
 namespace swimtwin
 {
   namespace

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace swimtwin
@@ -53,8 +55,9 @@ namespace swimtwin
 
   TEST(BoundaryChains, OrientationOfTheCellsDoesNotMatter)
   {
-    SnapshotSet set = synthetic_snapshots({synthetic_row(0., 1.)}, 1);
-    set.tail_cells.row(3) << set.tail_cells.row(3)(Eigen::all, std::vector<int>{0, 2, 1, 5, 4, 3});
+    SnapshotSet              set  = synthetic_snapshots({synthetic_row(0., 1.)}, 1);
+    const Eigen::RowVectorXi cell = set.tail_cells.row(3);
+    set.tail_cells.row(3) << cell[0], cell[2], cell[1], cell[5], cell[4], cell[3];
     EXPECT_EQ(boundary_chains(set.tail_cells).size(), 1u);
   }
 

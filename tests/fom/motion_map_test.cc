@@ -66,7 +66,7 @@ namespace swimtwin
     class MotionMapTest : public ::testing::Test
     {
     public:
-      static constexpr int dim = Dimension::value;
+      static constexpr int dimension = Dimension::value;
     };
     using Dimensions = ::testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
     TYPED_TEST_SUITE(MotionMapTest, Dimensions, );
@@ -76,7 +76,7 @@ namespace swimtwin
 
   TYPED_TEST(MotionMapTest, NodesOfTheHeadMoveRigidly)
   {
-    constexpr int         dim = TestFixture::dim;
+    constexpr int         dim = TestFixture::dimension;
     SmallMap<dim>         small;
     std::vector<double>   unknowns(small.map.n_unknowns(), 0.);
     const Tensor<1, dim>  U = small.random.template vector<dim>();
@@ -100,7 +100,7 @@ namespace swimtwin
 
   TYPED_TEST(MotionMapTest, TiedRowsAreTheMeanOfTheirMasters)
   {
-    constexpr int dim = TestFixture::dim;
+    constexpr int dim = TestFixture::dimension;
     SmallMap<dim> small;
     const auto    rows = small.map.expand(small.random_vector(small.map.n_unknowns()));
     EXPECT_EQ((small.at(rows, 3) - small.at(rows, 6)).norm(), 0.);
@@ -109,7 +109,7 @@ namespace swimtwin
 
   TYPED_TEST(MotionMapTest, ImposedRowsHaveTheirValue)
   {
-    constexpr int dim = TestFixture::dim;
+    constexpr int dim = TestFixture::dimension;
     SmallMap<dim> small;
     small.map.imposed[SmallMap<dim>::row(0, 1)] = 7.;
     const auto rows = small.map.expand(small.random_vector(small.map.n_unknowns()));
@@ -119,7 +119,7 @@ namespace swimtwin
 
   TYPED_TEST(MotionMapTest, LoadsAreAddedByTheTranspose)
   {
-    constexpr int       dim = TestFixture::dim;
+    constexpr int       dim = TestFixture::dimension;
     SmallMap<dim>       small;
     const auto          y = small.random_vector(small.map.n_unknowns()), f = small.random_vector(small.map.n_rows());
     std::vector<double> transposed(y.size(), 0.);
@@ -138,7 +138,7 @@ namespace swimtwin
 
   TYPED_TEST(MotionMapTest, FixedHeadHasNoUnknownsButStillFeelsLoads)
   {
-    constexpr int dim = TestFixture::dim;
+    constexpr int dim = TestFixture::dimension;
     SmallMap<dim> free, fixed(false);
     EXPECT_EQ(free.map.n_unknowns(), fixed.map.n_unknowns() + n_rigid<dim>);
     const auto rows = fixed.map.expand(fixed.random_vector(fixed.map.n_unknowns()));
