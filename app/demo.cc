@@ -17,9 +17,11 @@ namespace swimtwin
     return [common] {
       const Scene scene = load_scene(*common);
       if (is_speaker() && !common->quiet)
-        fmt::print("The reference study's elastic magneto-swimmer (scene {}): a rigid magnetic head of {} x {} mm pulls a\n"
-                   "tapered elastic tail of {} mm through glycerol, driven at {:.2g} Hz.\n",
-                   scene.name, 1e3 * scene.head.size_m[0], 1e3 * scene.head.size_m[1], 1e3 * scene.tail->length_m, 1. / scene.time.period_s);
+        fmt::print(
+            "The reference study's elastic magneto-swimmer (scene {}): a rigid magnetic head of {} x {} mm pulls a\n"
+            "tapered elastic tail of {} mm through glycerol, driven at {:.2g} Hz.\n",
+            scene.name, 1e3 * scene.head.size_m[0], 1e3 * scene.head.size_m[1], 1e3 * scene.tail->length_m,
+            1. / scene.time.period_s);
       SimulateOptions options;
       options.pictures = true;
       simulate_and_report(scene, *common, options);

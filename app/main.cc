@@ -33,7 +33,9 @@ namespace
     for (int i = 1; i < argc; ++i)
       command_line += std::string(" ") + argv[i];
 
-    CLI::App tool("Elastic magneto-swimmers in viscous fluids: full-order simulation of a soft micro-robot with a magnetic head.", "swimtwin");
+    CLI::App tool(
+        "Elastic magneto-swimmers in viscous fluids: full-order simulation of a soft micro-robot with a magnetic head.",
+        "swimtwin");
     tool.set_version_flag("--version", SWIMTWIN_VERSION);
     tool.require_subcommand(1);
     const std::pair<const char *, Work> verbs[] = {{"plan", add_plan(tool, command_line)},

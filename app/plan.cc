@@ -24,10 +24,13 @@ namespace swimtwin
       list("Solved", plan.solved);
       list("Skipped", plan.skipped);
       list("Numbers", plan.numbers);
-      text += fmt::format("Size\n  fluid mesh             {} triangles, worst quality {:.2f}\n  tail mesh              {} triangles\n"
-                          "  unknowns               {}\n  steps                  {} of {:.4g} s\n",
-                          plan.n_fluid_cells, plan.mesh_quality, plan.n_tail_cells, plan.n_unknowns, scene.time.n_steps(), scene.time.time_step_s());
-      text += fmt::format("Estimate (one core)\n  time                   {}\n  memory                 {:.0f} MB\n", duration_text(plan.estimated_time_s), plan.estimated_memory_MB);
+      text += fmt::format(
+          "Size\n  fluid mesh             {} triangles, worst quality {:.2f}\n  tail mesh              {} triangles\n"
+          "  unknowns               {}\n  steps                  {} of {:.4g} s\n",
+          plan.n_fluid_cells, plan.mesh_quality, plan.n_tail_cells, plan.n_unknowns, scene.time.n_steps(),
+          scene.time.time_step_s());
+      text += fmt::format("Estimate (one core)\n  time                   {}\n  memory                 {:.0f} MB\n",
+                          duration_text(plan.estimated_time_s), plan.estimated_memory_MB);
       for (const auto &warning : plan.warnings)
         text += fmt::format("Warning: {}\n", warning);
       return text;

@@ -25,7 +25,7 @@ namespace swimtwin
       return;
     last_shown_s_     = elapsed_s;
     const int  filled = width * done / total;
-    const auto left   = rate_steps > 0 ? duration_text(elapsed_s / rate_steps * (total - done)) + " left" : std::string();
+    const auto left = rate_steps > 0 ? duration_text(elapsed_s / rate_steps * (total - done)) + " left" : std::string();
     fmt::print(stderr, "\r\033[K[{:#<{}}{:.<{}}] step {} of {}  {}", "", filled, "", width - filled, done, total, left);
     std::fflush(stderr);
   }

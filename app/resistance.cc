@@ -16,14 +16,16 @@ namespace swimtwin
 {
   namespace
   {
-    nlohmann::ordered_json to_json(const ResistanceResult<2> &result, const Scene &scene, const std::string &command_line, const double wall_time_s)
+    nlohmann::ordered_json to_json(const ResistanceResult<2> &result, const Scene &scene,
+                                   const std::string &command_line, const double wall_time_s)
     {
       nlohmann::ordered_json json;
       json["matrix"] = nlohmann::ordered_json::array();
       for (int i = 0; i < 3; ++i)
         json["matrix"].push_back({result.matrix(i, 0), result.matrix(i, 1), result.matrix(i, 2)});
-      json["order"]       = {"Ux", "Uy", "omega"};
-      json["units"]       = "force and torque of the body on the fluid per unit depth: Pa s, Pa s m, Pa s m^2; torque about the head's centre";
+      json["order"] = {"Ux", "Uy", "omega"};
+      json["units"] = "force and torque of the body on the fluid per unit depth: Pa s, Pa s m, Pa s m^2; torque about "
+                      "the head's centre";
       json["asymmetry"]   = result.asymmetry;
       json["n_unknowns"]  = result.n_unknowns;
       json["n_cells"]     = result.n_cells;
@@ -38,18 +40,21 @@ namespace swimtwin
 
     void print(const ResistanceResult<2> &result)
     {
-      fmt::print("Resistance of the body at rest, per unit depth ({} unknowns, asymmetry {:.1e})\n", result.n_unknowns, result.asymmetry);
+      fmt::print("Resistance of the body at rest, per unit depth ({} unknowns, asymmetry {:.1e})\n", result.n_unknowns,
+                 result.asymmetry);
       fmt::print("  {:>16} {:>16} {:>16}\n", "Ux", "Uy", "omega");
       const char *const rows[] = {"Fx", "Fy", "T "};
       for (int i = 0; i < 3; ++i)
-        fmt::print("{} {:16.8e} {:16.8e} {:16.8e}\n", rows[i], result.matrix(i, 0), result.matrix(i, 1), result.matrix(i, 2));
+        fmt::print("{} {:16.8e} {:16.8e} {:16.8e}\n", rows[i], result.matrix(i, 0), result.matrix(i, 1),
+                   result.matrix(i, 2));
     }
   } // namespace
 
   Work add_resistance(CLI::App &tool, const std::string &command_line)
   {
     auto  common = std::make_shared<CommonOptions>();
-    auto *verb   = tool.add_subcommand("resistance", "Hydrodynamic resistance matrix of a scene's swimmer, moved as a rigid body");
+    auto *verb =
+        tool.add_subcommand("resistance", "Hydrodynamic resistance matrix of a scene's swimmer, moved as a rigid body");
     verb->add_option("scene", common->scene, "Scene file, or name of a shipped scene")->required();
     add_common_options(*verb, *common, OutputFolder::required);
     common->command_line = command_line;
@@ -65,7 +70,8 @@ namespace swimtwin
       if (!is_speaker())
         return;
       const double wall_time_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-      write_text_atomically(common->output / "resistance.json", to_json(result, scene, common->command_line, wall_time_s).dump(2) + "\n");
+      write_text_atomically(common->output / "resistance.json",
+                            to_json(result, scene, common->command_line, wall_time_s).dump(2) + "\n");
       if (!common->quiet)
         print(result);
     };

@@ -13,7 +13,8 @@ namespace swimtwin
     {
       std::error_code             error;
       const std::filesystem::path tool = std::filesystem::read_symlink("/proc/self/exe", error);
-      if (const auto beside = tool.parent_path() / "../../datasets/scenes"; !error && std::filesystem::is_directory(beside))
+      if (const auto beside = tool.parent_path() / "../../datasets/scenes";
+          !error && std::filesystem::is_directory(beside))
         return std::filesystem::weakly_canonical(beside);
       return SWIMTWIN_SCENES;
     }
@@ -21,8 +22,12 @@ namespace swimtwin
 
   void add_common_options(CLI::App &verb, CommonOptions &options, const OutputFolder output)
   {
-    verb.add_option("--set", options.overrides, "Override a scene entry: key.path=value (repeatable)")->type_name("KEY=VALUE")->allow_extra_args(false);
-    auto *folder = verb.add_option("--output", options.output, "Folder for the results; nothing is written elsewhere")->type_name("DIR")->take_last();
+    verb.add_option("--set", options.overrides, "Override a scene entry: key.path=value (repeatable)")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+    auto *folder = verb.add_option("--output", options.output, "Folder for the results; nothing is written elsewhere")
+                       ->type_name("DIR")
+                       ->take_last();
     if (output == OutputFolder::required)
       folder->required();
     verb.add_flag("--force", options.force, "Replace results that are already there");
@@ -32,7 +37,8 @@ namespace swimtwin
   Scene load_scene(const CommonOptions &options)
   {
     std::filesystem::path file = options.scene;
-    if (const auto shipped = shipped_scenes() / (options.scene + ".toml"); !std::filesystem::exists(file) && std::filesystem::exists(shipped))
+    if (const auto shipped = shipped_scenes() / (options.scene + ".toml");
+        !std::filesystem::exists(file) && std::filesystem::exists(shipped))
       file = shipped;
     return read_scene(file, options.overrides);
   }

@@ -118,12 +118,13 @@ namespace swimtwin
     int    remesh_every_steps = 0; ///< 0: by quality alone
 
     // coupling and solvers
-    Coupling coupling           = Coupling::monolithic;
-    double   coupling_tolerance = 1e-6; ///< estimated error of a step's configuration: root mean square over the tail, in body lengths
-    int      max_coupling_iterations = 20;
-    double   linear_tolerance        = 1e-7; ///< on the preconditioned residual, relative to the solution
-    bool     reuse_factorization     = true;
-    int      max_step_halvings       = 6;
+    Coupling coupling = Coupling::monolithic;
+    double   coupling_tolerance =
+        1e-6; ///< estimated error of a step's configuration: root mean square over the tail, in body lengths
+    int    max_coupling_iterations = 20;
+    double linear_tolerance        = 1e-7; ///< on the preconditioned residual, relative to the solution
+    bool   reuse_factorization     = true;
+    int    max_step_halvings       = 6;
   };
 
   struct OutputSettings

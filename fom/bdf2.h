@@ -3,9 +3,9 @@
 
 namespace swimtwin
 {
-  /// y(t + dt) = now_weight y(t) + before_weight y(t - dt_before) + slope_weight y'(t + dt). With dt_before = 0 it is the
-  /// backward Euler formula, which starts a run. Zero-stable while dt < (1 + sqrt(2)) dt_before.
-  /// Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, section III.5.
+  /// y(t + dt) = now_weight y(t) + before_weight y(t - dt_before) + slope_weight y'(t + dt). With dt_before = 0 it is
+  /// the backward Euler formula, which starts a run. Zero-stable while dt < (1 + sqrt(2)) dt_before. Hairer, Norsett,
+  /// Wanner, Solving Ordinary Differential Equations I, section III.5.
   struct Bdf2
   {
     double now_weight, before_weight, slope_weight;

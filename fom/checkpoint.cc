@@ -45,9 +45,15 @@ namespace swimtwin
       return result;
     }
 
-    std::vector<int> integers(const std::vector<unsigned int> &values) { return {values.begin(), values.end()}; }
+    std::vector<int> integers(const std::vector<unsigned int> &values)
+    {
+      return {values.begin(), values.end()};
+    }
 
-    std::vector<unsigned int> indices(const std::vector<int> &values) { return {values.begin(), values.end()}; }
+    std::vector<unsigned int> indices(const std::vector<int> &values)
+    {
+      return {values.begin(), values.end()};
+    }
 
     Eigen::MatrixXd matrix(const std::vector<std::vector<double>> &rows)
     {
@@ -72,8 +78,13 @@ namespace swimtwin
     void write_instant(Hdf5Writer &file, const std::string &group, const Instant<2> &instant)
     {
       const auto &[time, configuration, rates] = instant;
-      const std::vector<double> numbers        = {time, configuration.pose.center[0], configuration.pose.center[1], configuration.pose.angle,
-                                                  rates.velocity[0], rates.velocity[1], rates.omega[0]};
+      const std::vector<double> numbers        = {time,
+                                                  configuration.pose.center[0],
+                                                  configuration.pose.center[1],
+                                                  configuration.pose.angle,
+                                                  rates.velocity[0],
+                                                  rates.velocity[1],
+                                                  rates.omega[0]};
       file.write_vector(group + "/numbers", numbers, number);
       file.write_vector(group + "/shape_m", flat(configuration.shape), number);
       file.write_vector(group + "/shape_rate_m_s", flat(rates.shape_rate), number);
@@ -133,14 +144,29 @@ namespace swimtwin
     const auto &counts = model.counts;
     write_instant(file, "/now", model.now);
     write_instant(file, "/before", model.before);
-    const std::vector<double> numbers = {model.time_step_before_s, model.pose_at_meshing.center[0], model.pose_at_meshing.center[1],
-                                         model.pose_at_meshing.angle, model.contraction_value, checkpoint.wall_time_s,
-                                         checkpoint.cpu_time_s, counts.mesh_motion_cpu_s, counts.remeshing_cpu_s, counts.coupling_cpu_s,
-                                         model.linear_counts.assembly_cpu_s, model.linear_counts.factorization_cpu_s,
+    const std::vector<double> numbers = {model.time_step_before_s,
+                                         model.pose_at_meshing.center[0],
+                                         model.pose_at_meshing.center[1],
+                                         model.pose_at_meshing.angle,
+                                         model.contraction_value,
+                                         checkpoint.wall_time_s,
+                                         checkpoint.cpu_time_s,
+                                         counts.mesh_motion_cpu_s,
+                                         counts.remeshing_cpu_s,
+                                         counts.coupling_cpu_s,
+                                         model.linear_counts.assembly_cpu_s,
+                                         model.linear_counts.factorization_cpu_s,
                                          model.linear_counts.solve_cpu_s};
-    const std::vector<int>    integer = {model.grid_step, model.steps_since_remeshing, model.contraction_measured_at_step, counts.n_steps,
-                                         counts.n_coupling_iterations, counts.n_remeshes, counts.n_step_halvings,
-                                         model.linear_counts.n_solves, model.linear_counts.n_factorizations, model.linear_counts.n_iterations};
+    const std::vector<int>    integer = {model.grid_step,
+                                         model.steps_since_remeshing,
+                                         model.contraction_measured_at_step,
+                                         counts.n_steps,
+                                         counts.n_coupling_iterations,
+                                         counts.n_remeshes,
+                                         counts.n_step_halvings,
+                                         model.linear_counts.n_solves,
+                                         model.linear_counts.n_factorizations,
+                                         model.linear_counts.n_iterations};
     file.write_vector("/numbers", numbers, number);
     file.write_vector("/integers", integer, number);
     file.write_vector("/unknowns", model.unknowns, number);
@@ -159,25 +185,26 @@ namespace swimtwin
   {
     const Hdf5Reader file(path);
     if (file.read_text_attribute("/", "scene_hash") != scene.hash)
-      throw InputError(path.string() + " belongs to another scene or to other --set values: resume with the scene it was "
-                                       "written for, or start afresh with --force");
+      throw InputError(path.string() +
+                       " belongs to another scene or to other --set values: resume with the scene it was "
+                       "written for, or start afresh with --force");
     Checkpoint checkpoint;
-    auto      &model  = checkpoint.model;
-    model.now         = read_instant(file, "/now");
-    model.before      = read_instant(file, "/before");
-    const auto number = file.read_vector("/numbers");
-    const auto count  = file.read_int_vector("/integers");
-    model.time_step_before_s     = number.at(0);
-    model.pose_at_meshing.center = Point<2>(number.at(1), number.at(2));
-    model.pose_at_meshing.angle  = number.at(3);
-    model.contraction_value      = number.at(4);
-    checkpoint.wall_time_s       = number.at(5);
-    checkpoint.cpu_time_s        = number.at(6);
+    auto      &model                   = checkpoint.model;
+    model.now                          = read_instant(file, "/now");
+    model.before                       = read_instant(file, "/before");
+    const auto number                  = file.read_vector("/numbers");
+    const auto count                   = file.read_int_vector("/integers");
+    model.time_step_before_s           = number.at(0);
+    model.pose_at_meshing.center       = Point<2>(number.at(1), number.at(2));
+    model.pose_at_meshing.angle        = number.at(3);
+    model.contraction_value            = number.at(4);
+    checkpoint.wall_time_s             = number.at(5);
+    checkpoint.cpu_time_s              = number.at(6);
     model.grid_step                    = count.at(0);
     model.steps_since_remeshing        = count.at(1);
     model.contraction_measured_at_step = count.at(2);
-    model.counts        = {count.at(3), count.at(4), count.at(5), count.at(6), number.at(7), number.at(8), number.at(9)};
-    model.linear_counts = {count.at(7), count.at(8), count.at(9), number.at(10), number.at(11), number.at(12)};
+    model.counts = {count.at(3), count.at(4), count.at(5), count.at(6), number.at(7), number.at(8), number.at(9)};
+    model.linear_counts   = {count.at(7), count.at(8), count.at(9), number.at(10), number.at(11), number.at(12)};
     model.unknowns        = file.read_vector("/unknowns");
     model.unknowns_before = file.read_vector("/unknowns_before");
     if (file.contains("/fluid_mesh"))

@@ -4,7 +4,6 @@
 #include <fom/linear_system.h>
 #include <fom/motion_map.h>
 
-
 namespace swimtwin
 {
   /// Remembers, for a fixed motion map, which unknowns each cell touches and where its entries go, so that assembling
@@ -25,7 +24,8 @@ namespace swimtwin
 
     /// Start a new assembly.
     void reset();
-    /// Add P^T K P to the matrix and P^T (f - K imposed) to the right-hand side; K(i, j) and f(i) are called with local rows.
+    /// Add P^T K P to the matrix and P^T (f - K imposed) to the right-hand side; K(i, j) and f(i) are called with local
+    /// rows.
     template <typename Matrix, typename Vector>
     void add(unsigned int cell, const Matrix &K, const Vector &f);
     void add_to_entry(unsigned int entry, double value) { values_[entry_position_[entry]] += value; }
@@ -37,15 +37,15 @@ namespace swimtwin
     struct Cell
     {
       std::vector<unsigned int> rows;
-      std::vector<unsigned int> unknowns;       ///< distinct
-      std::vector<unsigned int> slot;           ///< of each term of each row: index into unknowns
-      std::size_t               first_value;    ///< of its unknowns.size()^2 entries
+      std::vector<unsigned int> unknowns;    ///< distinct
+      std::vector<unsigned int> slot;        ///< of each term of each row: index into unknowns
+      std::size_t               first_value; ///< of its unknowns.size()^2 entries
     };
     const MotionMap<dim>    &map_;
     std::vector<Cell>        cells_;
-    std::vector<std::size_t>  entry_position_;
-    std::vector<PetscInt>     pattern_rows_, pattern_columns_;
-    std::vector<double>       values_, rhs_;
+    std::vector<std::size_t> entry_position_;
+    std::vector<PetscInt>    pattern_rows_, pattern_columns_;
+    std::vector<double>      values_, rhs_;
   };
 
   template <int dim>
@@ -53,8 +53,8 @@ namespace swimtwin
   void Condensation<dim>::add(const unsigned int number, const Matrix &K, const Vector &f)
   {
     const Cell        &cell = cells_[number];
-    const unsigned int n    = cell.rows.size(), m = cell.unknowns.size();
-    double            *out  = values_.data() + cell.first_value;
+    const unsigned int n = cell.rows.size(), m = cell.unknowns.size();
+    double            *out    = values_.data() + cell.first_value;
     unsigned int       slot_i = 0;
     for (unsigned int i = 0; i < n; ++i)
     {

@@ -2,6 +2,8 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <numeric>
+
 namespace swimtwin
 {
   using namespace dealii;
@@ -14,31 +16,57 @@ namespace swimtwin
       return swimmer.has_tail() ? std::make_unique<NodeNumbering<dim>>(swimmer.tail().mesh, false) : nullptr;
     }
 
-    /// The blocks of a cell's tangent, turned to the laboratory: R K R^T.
-    template <int dim, typename Matrix>
-    void rotate(const Tensor<2, dim> &R, Matrix &K)
+    /// How the shape follows from the velocities in one step: with d = known + slope d' and
+    /// w = U + omega x R (X + d) + R d', for nodes that are not clamped,
+    ///   dd = slope M (R^T (dw - dU) - domega x r - slope domega x (omega x r + d')),  M = (1 + slope omega x)^-1,
+    /// r = X + d in the head's frame. Clamped nodes have dd = 0 (docs/equations.md).
+    template <int dim>
+    class ShapeDerivative
     {
-      for (unsigned int a = 0; a < n_cell_nodes<dim>; ++a)
-        for (unsigned int b = 0; b < n_cell_nodes<dim>; ++b)
+    public:
+      ShapeDerivative(const LinearizationPoint<dim> &point)
+          : slope_(point.slope_weight), omega_(point.rates.omega), R_(point.configuration.pose.rotation())
+      {
+        Tensor<2, dim> matrix;
+        for (int c = 0; c < dim; ++c)
         {
-          Tensor<2, dim> block;
+          Tensor<1, dim> unit;
+          unit[c]                     = 1.;
+          const Tensor<1, dim> column = unit + slope_ * rotational_velocity<dim>(omega_, unit);
           for (int i = 0; i < dim; ++i)
-            for (int j = 0; j < dim; ++j)
-              block[i][j] = K[a * dim + i][b * dim + j];
-          block = R * block * transpose(R);
-          for (int i = 0; i < dim; ++i)
-            for (int j = 0; j < dim; ++j)
-              K[a * dim + i][b * dim + j] = block[i][j];
+            matrix[i][c] = column[i];
         }
-    }
+        M_ = invert(matrix);
+      }
+
+      const Tensor<2, dim> &rotation() const { return R_; }
+      /// dd/dw = -dd/dU.
+      Tensor<2, dim> by_velocity() const { return slope_ * (M_ * transpose(R_)); }
+      /// dd/domega_k.
+      Tensor<1, dim> by_rotation(const int k, const Tensor<1, dim> &r, const Tensor<1, dim> &shape_rate) const
+      {
+        AngularVelocity<dim> axis;
+        axis[k] = 1.;
+        return -slope_ *
+               (M_ * (rotational_velocity<dim>(axis, r) +
+                      slope_ * rotational_velocity<dim>(axis, rotational_velocity<dim>(omega_, r) + shape_rate)));
+      }
+
+    private:
+      double               slope_;
+      AngularVelocity<dim> omega_;
+      Tensor<2, dim>       R_, M_;
+    };
   } // namespace
 
   template <int dim>
-  CoupledSystem<dim>::CoupledSystem(const Swimmer<dim> &swimmer, FluidDomain<dim> *fluid, LinearSystem &system, const MPI_Comm communicator)
-    : swimmer_(swimmer), fluid_(fluid), system_(system), n_fluid_rows_(fluid ? fluid->n_rows() : 0),
-      rank_(Utilities::MPI::this_mpi_process(communicator)), n_ranks_(Utilities::MPI::n_mpi_processes(communicator)),
-      tail_numbering_(number_tail(swimmer)),
-      map_(n_fluid_rows_, tail_numbering_ ? tail_numbering_->size() : 0, swimmer.scene().body_length_m()), condensation_(map_)
+  CoupledSystem<dim>::CoupledSystem(const Swimmer<dim> &swimmer, FluidDomain<dim> *fluid, LinearSystem &system,
+                                    const MPI_Comm communicator)
+      : swimmer_(swimmer), fluid_(fluid), system_(system), n_fluid_rows_(fluid ? fluid->n_rows() : 0),
+        rank_(Utilities::MPI::this_mpi_process(communicator)), n_ranks_(Utilities::MPI::n_mpi_processes(communicator)),
+        tail_numbering_(number_tail(swimmer)),
+        map_(n_fluid_rows_, tail_numbering_ ? tail_numbering_->size() : 0, swimmer.scene().body_length_m()),
+        condensation_(map_)
   {
     if (tail_numbering_)
       describe_tail();
@@ -51,8 +79,8 @@ namespace swimtwin
     std::vector<unsigned int> owner;
     for (unsigned int row = 0; row < n_fluid_rows_; ++row)
       owner.push_back(fluid_->row_owner(row));
-    for (unsigned int row = n_fluid_rows_; row < map_.n_rows(); ++row)
-      owner.push_back(tail_numbering_->owner(row - n_fluid_rows_));
+    for (unsigned int row = 0; tail_numbering_ && row < tail_numbering_->size(); ++row)
+      owner.push_back(tail_numbering_->owner(row));
     map_.close(owner, !swimmer.scene().head.fixed, communicator);
 
     if (fluid_)
@@ -67,6 +95,8 @@ namespace swimtwin
           for (const auto node : mesh.cells[c])
             for (int i = 0; i < dim; ++i)
               rows.push_back(tail_row(node, i));
+          for (int k = 0; k < n_rigid<dim>; ++k)
+            rows.push_back(map_.head_row(k));
           const auto number = condensation_.add_cell(rows);
           if (tail_cells_.empty())
             first_tail_cell_ = number;
@@ -129,38 +159,67 @@ namespace swimtwin
   template <int dim>
   void CoupledSystem<dim>::assemble_tail(const LinearizationPoint<dim> &point)
   {
-    // To first order a position is the step's slope weight times the velocity, so with K the tangent in the laboratory
-    //   f(x) ~ f(x_k) + slope K (w - w_k).
-    const Tensor<2, dim>                    R     = point.configuration.pose.rotation();
-    const NodalField<dim>                   w     = swimmer_.tail_velocities(point.configuration, point.rates);
-    const auto                             &cells = swimmer_.tail().mesh.cells;
-    typename ElasticTail<dim>::CellForce    force;
-    typename ElasticTail<dim>::CellTangent  K;
-    constexpr unsigned int                  n = ElasticTail<dim>::n_cell_dofs;
-    std::array<double, n>                   load;
-    for (unsigned int k = 0; k < tail_cells_.size(); ++k)
+    // Internal forces, linear in the velocities y = (w, U, omega) of the cell's nodes and the head:
+    //   f(y) ~ f(y_k) + K dd/dy (y - y_k).
+    constexpr unsigned int                 n = ElasticTail<dim>::n_cell_dofs, m = n + n_rigid<dim>;
+    const ShapeDerivative<dim>             derivative(point);
+    const Tensor<2, dim>                  &R    = derivative.rotation();
+    const Tensor<2, dim>                   by_w = derivative.by_velocity();
+    const NodalField<dim>                  w    = swimmer_.tail_velocities(point.configuration, point.rates);
+    const auto                            &mesh = swimmer_.tail().mesh;
+    typename ElasticTail<dim>::CellForce   force;
+    typename ElasticTail<dim>::CellTangent K;
+    std::array<std::array<double, m>, m>   matrix{};
+    std::array<double, m>                  load{}, y;
+    for (int c = 0; c < dim; ++c)
+      y[n + c] = point.rates.velocity[c];
+    for (int k = 0; k < n_rotations<dim>; ++k)
+      y[n + dim + k] = point.rates.omega[k];
+
+    for (unsigned int number = 0; number < tail_cells_.size(); ++number)
     {
-      const auto c = tail_cells_[k];
-      swimmer_.elasticity().cell_force_and_tangent(c, point.configuration.shape, force, K);
-      rotate(R, K);
-      for (unsigned int a = 0; a < n_cell_nodes<dim>; ++a)
+      const auto &nodes = mesh.cells[tail_cells_[number]];
+      swimmer_.elasticity().cell_force_and_tangent(tail_cells_[number], point.configuration.shape, force, K);
+      for (unsigned int a = 0; a < nodes.size(); ++a)
       {
-        Tensor<1, dim> f;
+        Tensor<1, dim>                               f;
+        Tensor<2, dim>                               by_U;
+        std::array<Tensor<1, dim>, n_rotations<dim>> by_omega;
         for (int i = 0; i < dim; ++i)
           f[i] = force[a * dim + i];
         f = R * f;
+        for (unsigned int b = 0; b < nodes.size(); ++b)
+        {
+          Tensor<2, dim> block;
+          for (int i = 0; i < dim; ++i)
+            for (int j = 0; j < dim; ++j)
+              block[i][j] = K[a * dim + i][b * dim + j];
+          block                        = R * block;
+          const bool           clamped = swimmer_.is_clamped(nodes[b]);
+          const Tensor<2, dim> turned  = clamped ? Tensor<2, dim>() : block * by_w;
+          by_U -= turned;
+          if (!clamped)
+            for (int k = 0; k < n_rotations<dim>; ++k)
+              by_omega[k] +=
+                  block * derivative.by_rotation(k, mesh.nodes[nodes[b]] + point.configuration.shape[nodes[b]],
+                                                 point.rates.shape_rate[nodes[b]]);
+          for (int i = 0; i < dim; ++i)
+            for (int j = 0; j < dim; ++j)
+              matrix[a * dim + i][b * dim + j] = turned[i][j];
+          for (int j = 0; j < dim; ++j)
+            y[b * dim + j] = w[nodes[b]][j];
+        }
         for (int i = 0; i < dim; ++i)
         {
-          double &value = load[a * dim + i];
-          value         = -f[i];
-          for (unsigned int j = 0; j < n; ++j)
-          {
-            K[a * dim + i][j] *= point.slope_weight;
-            value += K[a * dim + i][j] * w[cells[c][j / dim]][j % dim];
-          }
+          auto &row = matrix[a * dim + i];
+          for (int j = 0; j < dim; ++j)
+            row[n + j] = by_U[i][j];
+          for (int k = 0; k < n_rotations<dim>; ++k)
+            row[n + dim + k] = by_omega[k][i];
+          load[a * dim + i] = -f[i] + std::inner_product(row.begin(), row.end(), y.begin(), 0.);
         }
       }
-      condensation_.add(first_tail_cell_ + k, K, load);
+      condensation_.add(first_tail_cell_ + number, matrix, load);
     }
     for (unsigned int a = 0; a < swimmer_.tail().mesh.n_nodes(); ++a)
     {
@@ -176,10 +235,10 @@ namespace swimtwin
   {
     if (rank_ + 1 != n_ranks_)
       return;
-    const double               length = map_.length_scale();
-    const unsigned int         first  = map_.first_head_unknown();
-    auto                      &rhs    = condensation_.right_hand_side();
-    const Tensor<1, dim>       force  = swimmer_.force_on_head(point.time_s);
+    const double         length = map_.length_scale();
+    const unsigned int   first  = map_.first_head_unknown();
+    auto                &rhs    = condensation_.right_hand_side();
+    const Tensor<1, dim> force  = swimmer_.force_on_head(point.time_s);
     for (int c = 0; c < dim; ++c)
       rhs[first + c] += force[c];
     const auto [torque, derivative] = swimmer_.torque_on_head(point.configuration.pose.angle, point.time_s);
@@ -276,7 +335,8 @@ namespace swimtwin
       {
         Tensor<1, dim> magnetic;
         for (int c = 0; c < dim; ++c)
-          magnetic[c] = swimmer_.scene().tail->magnetization_A_m * swimmer_.elasticity().axial_gradient_of_node()[a] * field[c];
+          magnetic[c] =
+              swimmer_.scene().tail->magnetization_A_m * swimmer_.elasticity().axial_gradient_of_node()[a] * field[c];
         balance.magnetic += magnetic * w[a];
         balance.gravity += (swimmer_.load_on_tail_node(a, time_s) - magnetic) * w[a];
         for (int c = 0; c < dim; ++c)

@@ -28,7 +28,7 @@ namespace swimtwin
   /// Powers and reactions of one accepted instant (per unit depth in 2D).
   struct PowerBalance
   {
-    double magnetic = 0., gravity = 0., wall = 0., dissipation = 0., elastic_energy = 0.;
+    double                magnetic = 0., gravity = 0., wall = 0., dissipation = 0., elastic_energy = 0.;
     std::array<double, 3> load_that_holds_head = {0., 0., 0.}; ///< force x, y, torque; zero for a free head
   };
 
@@ -50,16 +50,16 @@ namespace swimtwin
     /// Rows' values: fluid (velocities, scaled pressures), then tail.
     std::vector<double> expand(const std::vector<double> &unknowns) const { return map_.expand(unknowns); }
 
-    PowerBalance balance(const Configuration<dim> &configuration, const Rates<dim> &rates, const std::vector<double> &unknowns,
-                         double time_s) const;
+    PowerBalance balance(const Configuration<dim> &configuration, const Rates<dim> &rates,
+                         const std::vector<double> &unknowns, double time_s) const;
 
     unsigned int n_unknowns() const { return map_.n_unknowns(); }
 
   private:
-    void describe_tail();
-    void describe_surface();
-    void assemble_tail(const LinearizationPoint<dim> &point);
-    void assemble_head(const LinearizationPoint<dim> &point);
+    void         describe_tail();
+    void         describe_surface();
+    void         assemble_tail(const LinearizationPoint<dim> &point);
+    void         assemble_head(const LinearizationPoint<dim> &point);
     unsigned int tail_row(const unsigned int node, const unsigned int component) const
     {
       return n_fluid_rows_ + tail_numbering_->vector_index(node, component);
@@ -73,7 +73,7 @@ namespace swimtwin
     std::unique_ptr<NodeNumbering<dim>> tail_numbering_;
     MotionMap<dim>                      map_;
     Condensation<dim>                   condensation_;
-    std::vector<unsigned int>           tail_cells_;      ///< owned
+    std::vector<unsigned int>           tail_cells_;          ///< owned
     unsigned int                        first_tail_cell_ = 0; ///< its number in the condensation
     unsigned int                        rotation_entry_  = 0;
   };

@@ -6,7 +6,8 @@ namespace swimtwin
 
   template <int dim>
   ElasticTail<dim>::ElasticTail(const SimplexMesh<dim> &mesh, std::unique_ptr<HyperelasticLaw<dim>> law)
-    : mesh_(mesh), law_(std::move(law)), volume_of_node_(mesh.n_nodes(), 0.), axial_gradient_of_node_(mesh.n_nodes(), 0.)
+      : mesh_(mesh), law_(std::move(law)), volume_of_node_(mesh.n_nodes(), 0.),
+        axial_gradient_of_node_(mesh.n_nodes(), 0.)
   {
     IsoparametricCell<dim> map;
     for (const auto &nodes : mesh.cells)
@@ -29,7 +30,8 @@ namespace swimtwin
   }
 
   template <int dim>
-  Tensor<2, dim> ElasticTail<dim>::deformation_gradient(const Point &point, const CellNodes<dim> &nodes, const NodalField<dim> &displacement) const
+  Tensor<2, dim> ElasticTail<dim>::deformation_gradient(const Point &point, const CellNodes<dim> &nodes,
+                                                        const NodalField<dim> &displacement) const
   {
     Tensor<2, dim> F;
     for (int i = 0; i < dim; ++i)
@@ -50,12 +52,14 @@ namespace swimtwin
   }
 
   template <int dim>
-  void ElasticTail<dim>::cell_force(const unsigned int cell, const NodalField<dim> &displacement, CellForce &force) const
+  void ElasticTail<dim>::cell_force(const unsigned int cell, const NodalField<dim> &displacement,
+                                    CellForce &force) const
   {
     force.fill(0.);
     for (const auto &point : points_[cell])
     {
-      const Tensor<2, dim> stress = point.weight * law_->stress(deformation_gradient(point, mesh_.cells[cell], displacement));
+      const Tensor<2, dim> stress =
+          point.weight * law_->stress(deformation_gradient(point, mesh_.cells[cell], displacement));
       for (unsigned int a = 0; a < n_cell_nodes<dim>; ++a)
       {
         const Tensor<1, dim> f = stress * point.gradient[a];
@@ -66,7 +70,8 @@ namespace swimtwin
   }
 
   template <int dim>
-  void ElasticTail<dim>::cell_force_and_tangent(const unsigned int cell, const NodalField<dim> &displacement, CellForce &force, CellTangent &tangent) const
+  void ElasticTail<dim>::cell_force_and_tangent(const unsigned int cell, const NodalField<dim> &displacement,
+                                                CellForce &force, CellTangent &tangent) const
   {
     force.fill(0.);
     for (auto &row : tangent)

@@ -31,7 +31,8 @@ namespace swimtwin
 
     /// Internal force (N or N/m) of one cell, entry a * dim + i, and its derivative by the displacement.
     void cell_force(unsigned int cell, const NodalField<dim> &displacement, CellForce &force) const;
-    void cell_force_and_tangent(unsigned int cell, const NodalField<dim> &displacement, CellForce &force, CellTangent &tangent) const;
+    void cell_force_and_tangent(unsigned int cell, const NodalField<dim> &displacement, CellForce &force,
+                                CellTangent &tangent) const;
 
     /// int N_a dX (m^dim): times a body force, the nodal load.
     const std::vector<double> &volume_of_node() const { return volume_of_node_; }
@@ -53,11 +54,12 @@ namespace swimtwin
   private:
     struct Point
     {
-      double                                                     weight;
-      std::array<dealii::Tensor<1, dim>, n_cell_nodes<dim>>      gradient;
-      std::array<double, n_cell_nodes<dim>>                      value;
+      double                                                weight;
+      std::array<dealii::Tensor<1, dim>, n_cell_nodes<dim>> gradient;
+      std::array<double, n_cell_nodes<dim>>                 value;
     };
-    dealii::Tensor<2, dim> deformation_gradient(const Point &point, const CellNodes<dim> &nodes, const NodalField<dim> &displacement) const;
+    dealii::Tensor<2, dim> deformation_gradient(const Point &point, const CellNodes<dim> &nodes,
+                                                const NodalField<dim> &displacement) const;
 
     const SimplexMesh<dim>               &mesh_;
     std::unique_ptr<HyperelasticLaw<dim>> law_;

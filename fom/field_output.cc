@@ -22,19 +22,21 @@ namespace swimtwin
     {
     public:
       VtuMesh(const NodeNumbering<2> &numbering, const std::vector<Point<2>> &positions)
-        : dof_handler_(numbering.dof_handler()), positions_(dof_handler_.n_dofs()),
-          mapping_(dof_handler_, positions_, vector_components(dof_handler_))
+          : dof_handler_(numbering.dof_handler()), positions_(dof_handler_.n_dofs()),
+            mapping_(dof_handler_, positions_, vector_components(dof_handler_))
       {
         for (unsigned int node = 0; node < positions.size(); ++node)
           for (int c = 0; c < 2; ++c)
             positions_[numbering.vector_index(node, c)] = positions[node][c];
       }
 
-      void write(const std::filesystem::path &file, const std::string &vector_name, const std::string &scalar_name, const std::vector<double> &values)
+      void write(const std::filesystem::path &file, const std::string &vector_name, const std::string &scalar_name,
+                 const std::vector<double> &values)
       {
-        Vector<double> data(values.begin(), values.end());
-        std::vector<std::string> names(2, vector_name);
-        std::vector<DataComponentInterpretation::DataComponentInterpretation> meaning(2, DataComponentInterpretation::component_is_part_of_vector);
+        Vector<double>                                                        data(values.begin(), values.end());
+        std::vector<std::string>                                              names(2, vector_name);
+        std::vector<DataComponentInterpretation::DataComponentInterpretation> meaning(
+            2, DataComponentInterpretation::component_is_part_of_vector);
         if (dof_handler_.get_fe().n_components() == 3)
         {
           names.push_back(scalar_name);
@@ -63,15 +65,19 @@ namespace swimtwin
         return ComponentMask(mask);
       }
 
-      const DoFHandler<2>                   &dof_handler_;
-      Vector<double>                         positions_;
-      MappingFEField<2, 2, Vector<double>>   mapping_;
+      const DoFHandler<2>                 &dof_handler_;
+      Vector<double>                       positions_;
+      MappingFEField<2, 2, Vector<double>> mapping_;
     };
   } // namespace
 
-  FieldOutput::FieldOutput(std::filesystem::path folder) : folder_(std::move(folder)) { std::filesystem::create_directories(folder_); }
+  FieldOutput::FieldOutput(std::filesystem::path folder) : folder_(std::move(folder))
+  {
+    std::filesystem::create_directories(folder_);
+  }
 
-  void FieldOutput::write_series(const std::string &name, std::vector<std::pair<double, std::string>> &series, const std::string &file, const double time)
+  void FieldOutput::write_series(const std::string &name, std::vector<std::pair<double, std::string>> &series,
+                                 const std::string &file, const double time)
   {
     series.emplace_back(time, file);
     std::ostringstream pvd;
@@ -90,7 +96,8 @@ namespace swimtwin
       for (unsigned int v = 0; v < model.fluid()->mesh().n_vertices(); ++v)
         fields[model.fluid()->numbering().pressure_index(v)] *= model.fluid()->pressure_scale();
       const std::string file = std::string("fluid-") + number + ".vtu";
-      VtuMesh(model.fluid()->numbering(), model.fluid()->positions()).write(folder_ / file, "velocity_m_s", "pressure_Pa", fields);
+      VtuMesh(model.fluid()->numbering(), model.fluid()->positions())
+          .write(folder_ / file, "velocity_m_s", "pressure_Pa", fields);
       write_series("fluid", fluid_series_, file, time);
     }
     if (model.swimmer().has_tail())

@@ -7,8 +7,8 @@
 
 namespace swimtwin
 {
-  /// Writes fluid-NNNN.vtu (velocity_m_s, pressure_Pa) and tail-NNNN.vtu (displacement_m in the laboratory) with quadratic
-  /// cells into a folder, and fluid.pvd, tail.pvd that name them with their times.
+  /// Writes fluid-NNNN.vtu (velocity_m_s, pressure_Pa) and tail-NNNN.vtu (displacement_m in the laboratory) with
+  /// quadratic cells into a folder, and fluid.pvd, tail.pvd that name them with their times.
   class FieldOutput
   {
   public:
@@ -18,7 +18,8 @@ namespace swimtwin
     void write(const FullOrderModel<2> &model);
 
   private:
-    void write_series(const std::string &name, std::vector<std::pair<double, std::string>> &series, const std::string &file, double time);
+    void write_series(const std::string &name, std::vector<std::pair<double, std::string>> &series,
+                      const std::string &file, double time);
 
     std::filesystem::path                       folder_;
     std::vector<std::pair<double, std::string>> fluid_series_, tail_series_;

@@ -8,9 +8,9 @@ namespace swimtwin
 
   template <int dim>
   FluidDomain<dim>::FluidDomain(const Scene &scene, FluidMesh<dim> fluid_mesh, const RigidPose<dim> &pose)
-    : scene_(scene), fluid_mesh_(std::move(fluid_mesh)), numbering_(fluid_mesh_.mesh, true), pose_at_meshing_(pose),
-      positions_(mesh().nodes), pressure_scale_(scene.fluid->viscosity_Pa_s / scene.body_length_m()),
-      quality_(worst_quality(mesh(), positions_))
+      : scene_(scene), fluid_mesh_(std::move(fluid_mesh)), numbering_(fluid_mesh_.mesh, true), pose_at_meshing_(pose),
+        positions_(mesh().nodes), pressure_scale_(scene.fluid->viscosity_Pa_s / scene.body_length_m()),
+        quality_(worst_quality(mesh(), positions_))
   {
     for (unsigned int c = 0; c < mesh().n_cells(); ++c)
       if (mesh().is_owned(c))
@@ -44,7 +44,7 @@ namespace swimtwin
   double FluidDomain<dim>::follow(const std::vector<Point<dim>> &surface, const RigidPose<dim> &pose)
   {
     // A domain that moves with the swimmer is deformed in the head's frame, where its walls are still.
-    const bool co_moving = scene_.domain->moves_with_swimmer;
+    const bool                  co_moving = scene_.domain->moves_with_swimmer;
     std::vector<Tensor<1, dim>> displacement(surface.size());
     double                      largest = 0.;
     for (unsigned int k = 0; k < surface.size(); ++k)
@@ -60,7 +60,8 @@ namespace swimtwin
         std::vector<unsigned int> still;
         for (const auto &wall_node : fluid_mesh_.wall_nodes)
           still.push_back(wall_node.node);
-        extension_ = std::make_unique<MeshExtension<dim>>(mesh(), numbering_, scene_.numerics.mesh_motion, fluid_mesh_.surface_nodes, still);
+        extension_ = std::make_unique<MeshExtension<dim>>(mesh(), numbering_, scene_.numerics.mesh_motion,
+                                                          fluid_mesh_.surface_nodes, still);
       }
       const auto extended = extension_->extend(displacement);
       if (extended.empty())

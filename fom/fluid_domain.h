@@ -1,4 +1,5 @@
-// The fluid: its mesh as it moves, its unknowns, and its share of the coupled system. It never learns what a swimmer is.
+// The fluid: its mesh as it moves, its unknowns, and its share of the coupled system. It never learns what a swimmer
+// is.
 #pragma once
 
 #include <fom/condensation.h>
@@ -13,7 +14,7 @@ namespace swimtwin
   /// What the fluid does at one instant (per unit depth in 2D).
   struct FluidReaction
   {
-    std::vector<double> force;       ///< of every row on the fluid: the residual of the weak form, never a boundary integral
+    std::vector<double> force; ///< of every row on the fluid: the residual of the weak form, never a boundary integral
     double              dissipation; ///< 2 mu D:D integrated (W)
     double              wall_power;  ///< of moving walls and inflows on the fluid (W)
   };
@@ -25,8 +26,8 @@ namespace swimtwin
   public:
     FluidDomain(const Scene &scene, FluidMesh<dim> fluid_mesh, const RigidPose<dim> &pose);
 
-    unsigned int              n_rows() const { return numbering_.size(); }
-    unsigned int              row_owner(const unsigned int row) const { return numbering_.owner(row); }
+    unsigned int n_rows() const { return numbering_.size(); }
+    unsigned int row_owner(const unsigned int row) const { return numbering_.owner(row); }
     /// Row of a velocity component at the k-th node of the swimmer's surface.
     unsigned int surface_row(const unsigned int k, const unsigned int component) const
     {
@@ -58,7 +59,7 @@ namespace swimtwin
     const NodeNumbering<dim>              &numbering() const { return numbering_; }
     const std::vector<dealii::Point<dim>> &positions() const { return positions_; }
     const RigidPose<dim>                  &pose_at_meshing() const { return pose_at_meshing_; }
-    LinearSolverCounts                     mesh_motion_counts() const { return extension_ ? extension_->counts() : LinearSolverCounts(); }
+    LinearSolverCounts mesh_motion_counts() const { return extension_ ? extension_->counts() : LinearSolverCounts(); }
 
   private:
     std::vector<unsigned int> cell_rows(unsigned int cell) const;

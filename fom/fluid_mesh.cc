@@ -18,7 +18,8 @@ namespace swimtwin
       PlanarCurve curve;
     };
 
-    /// Outer boundary, counter-clockwise from the middle of its left side, so that mirrored domains have mirrored polygons.
+    /// Outer boundary, counter-clockwise from the middle of its left side, so that mirrored domains have mirrored
+    /// polygons.
     std::vector<WallCurve> outer_walls(const Domain &domain, const Point<2> &c)
     {
       const auto line = [](const char *name, const Point<2> &a, const Point<2> &b) {
@@ -28,8 +29,8 @@ namespace swimtwin
       {
         const double a = domain.size_m[0] / 2, b = domain.size_m[1] / 2;
         const double l = c[0] - a, r = c[0] + a, d = c[1] - b, u = c[1] + b;
-        return {line("left", {l, c[1]}, {l, d}), line("bottom", {l, d}, {r, d}), line("right", {r, d}, {r, c[1]}),
-                line("right", {r, c[1]}, {r, u}), line("top", {r, u}, {l, u}), line("left", {l, u}, {l, c[1]})};
+        return {line("left", {l, c[1]}, {l, d}),  line("bottom", {l, d}, {r, d}), line("right", {r, d}, {r, c[1]}),
+                line("right", {r, c[1]}, {r, u}), line("top", {r, u}, {l, u}),    line("left", {l, u}, {l, c[1]})};
       }
       const std::array<double, 2> radii = {domain.radius_m, domain.radius_m};
       return {{"outer", PlanarCurve::arc(c, radii, -pi, 0.)}, {"outer", PlanarCurve::arc(c, radii, 0., pi)}};
@@ -43,7 +44,10 @@ namespace swimtwin
       return {{"inner", PlanarCurve::arc(c, radii, -pi, 0.)}, {"inner", PlanarCurve::arc(c, radii, 0., pi)}};
     }
 
-    bool is_round(const Domain &domain) { return domain.shape == DomainShape::disc || domain.shape == DomainShape::annulus; }
+    bool is_round(const Domain &domain)
+    {
+      return domain.shape == DomainShape::disc || domain.shape == DomainShape::annulus;
+    }
 
     /// A closed boundary: a quadratic loop without repetition, and the wall of each edge.
     struct WallLoop
@@ -72,8 +76,10 @@ namespace swimtwin
       return vertices;
     }
 
-    /// Place the curved edges of a closed boundary whose vertices are numbered from `first`; returns its nodes in order.
-    std::vector<unsigned int> curve_loop(SimplexMesh<2> &mesh, const std::vector<Point<2>> &loop, const unsigned int first)
+    /// Place the curved edges of a closed boundary whose vertices are numbered from `first`; returns its nodes in
+    /// order.
+    std::vector<unsigned int> curve_loop(SimplexMesh<2> &mesh, const std::vector<Point<2>> &loop,
+                                         const unsigned int first)
     {
       const unsigned int        n = loop.size() / 2;
       std::vector<unsigned int> nodes;
@@ -111,9 +117,9 @@ namespace swimtwin
     }
   } // namespace
 
-  FluidMesh<2> make_fluid_mesh(const Domain &domain, const std::vector<Point<2>> &surface, const std::vector<double> &surface_size,
-                            const RigidPose<2> &pose, const RigidPose<2> &pose_at_rest, const Numerics &numerics,
-                            const MPI_Comm communicator)
+  FluidMesh<2> make_fluid_mesh(const Domain &domain, const std::vector<Point<2>> &surface,
+                               const std::vector<double> &surface_size, const RigidPose<2> &pose,
+                               const RigidPose<2> &pose_at_rest, const Numerics &numerics, const MPI_Comm communicator)
   {
     std::vector<std::pair<Point<2>, double>> prescribed;
     for (unsigned int i = 0; i < surface_size.size(); ++i)
@@ -142,7 +148,8 @@ namespace swimtwin
 
   FluidMeshRecord<2> record(const FluidMesh<2> &fluid_mesh)
   {
-    FluidMeshRecord<2> record{{fluid_mesh.mesh.triangulation().get_vertices(), {}}, fluid_mesh.mesh.nodes, fluid_mesh.surface_nodes, {}, {}};
+    FluidMeshRecord<2> record{
+        {fluid_mesh.mesh.triangulation().get_vertices(), {}}, fluid_mesh.mesh.nodes, fluid_mesh.surface_nodes, {}, {}};
     for (const auto &cell : fluid_mesh.mesh.cells)
       record.soup.cells.push_back({cell[0], cell[1], cell[2]});
     for (const auto &wall_node : fluid_mesh.wall_nodes)
@@ -164,9 +171,9 @@ namespace swimtwin
 
   Tensor<1, 2> wall_velocity(const Domain &domain, const std::string &wall_name, const Point<2> &x, const double time_s)
   {
-    const Wall  &wall  = domain.walls.at(wall_name);
-    const double ramp  = time_s < wall.ramp_s ? .5 * (1. - std::cos(pi * time_s / wall.ramp_s)) : 1.;
-    const double speed = ramp * wall.speed_m_s;
+    const Wall  &wall        = domain.walls.at(wall_name);
+    const double ramp        = time_s < wall.ramp_s ? .5 * (1. - std::cos(pi * time_s / wall.ramp_s)) : 1.;
+    const double speed       = ramp * wall.speed_m_s;
     const bool   is_vertical = wall_name == "left" || wall_name == "right";
     Tensor<1, 2> v;
     if (wall.condition == WallCondition::moving_wall)

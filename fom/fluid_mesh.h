@@ -27,8 +27,8 @@ namespace swimtwin
   /// node for node, with `surface_size` (m) at each of its vertices. A domain that moves with the swimmer is placed by
   /// the pose. Collective; throws ComputationError.
   FluidMesh<2> make_fluid_mesh(const Domain &domain, const std::vector<dealii::Point<2>> &surface,
-                            const std::vector<double> &surface_size, const RigidPose<2> &pose, const RigidPose<2> &pose_at_rest,
-                            const Numerics &numerics, MPI_Comm communicator);
+                               const std::vector<double> &surface_size, const RigidPose<2> &pose,
+                               const RigidPose<2> &pose_at_rest, const Numerics &numerics, MPI_Comm communicator);
 
   /// A fluid mesh as plain data, to be written and made again node for node.
   template <int dim>
@@ -44,7 +44,8 @@ namespace swimtwin
   FluidMesh<2>       make_fluid_mesh(const Domain &domain, const FluidMeshRecord<2> &record, MPI_Comm communicator);
 
   /// Velocity (m/s) that a wall imposes at a point; zero for no-slip. Not for traction-free walls.
-  dealii::Tensor<1, 2> wall_velocity(const Domain &domain, const std::string &wall_name, const dealii::Point<2> &x, double time_s);
+  dealii::Tensor<1, 2> wall_velocity(const Domain &domain, const std::string &wall_name, const dealii::Point<2> &x,
+                                     double time_s);
 
   /// Whether the fluid can leave or enter through a traction-free wall, which then fixes the pressure's level.
   bool has_traction_free_wall(const Domain &domain);

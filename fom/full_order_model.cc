@@ -18,7 +18,13 @@ namespace swimtwin
     /// The run starts with an eighth of a step, by backward Euler, then doubles: the start's error is a 64th.
     constexpr int ticks_of_first_step = ticks_per_step / 8;
 
-    double cpu_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
+    /// A coupling iteration that moves the body by so many body lengths has diverged.
+    constexpr double far_too_far = 10.;
+
+    double cpu_seconds()
+    {
+      return double(std::clock()) / CLOCKS_PER_SEC;
+    }
 
     LinearSolverOptions solver_options(const Numerics &numerics)
     {
@@ -31,8 +37,8 @@ namespace swimtwin
 
   template <int dim>
   FullOrderModel<dim>::FullOrderModel(const Scene &scene, const MPI_Comm communicator)
-    : scene_(scene), communicator_(communicator), swimmer_(scene, communicator),
-      linear_system_(communicator, solver_options(scene.numerics))
+      : scene_(scene), communicator_(communicator), swimmer_(scene, communicator),
+        linear_system_(communicator, solver_options(scene.numerics))
   {
     now_.configuration = swimmer_.configuration_at_rest();
     now_.rates.shape_rate.resize(now_.configuration.shape.size());
@@ -66,7 +72,7 @@ namespace swimtwin
     just_remeshed_           = false;
     const double tick        = scene_.time.time_step_s() / ticks_per_step;
     bool         fresh_mesh  = steps_since_remeshing_ == 0;
-    int          largest     = time_step_before_ == 0. ? ticks_of_first_step : ticks_per_step, halvings = 0;
+    int          largest = time_step_before_ == 0. ? ticks_of_first_step : ticks_per_step, halvings = 0;
     for (int done = 0; done < ticks_per_step;)
     {
       // The largest power of two that fits the grid, is allowed, and at most doubles the last step.
@@ -74,12 +80,11 @@ namespace swimtwin
       while (done % ticks != 0 || (time_step_before_ > 0. && ticks * tick > 2.0001 * time_step_before_))
         ticks /= 2;
       const Outcome outcome = try_step(ticks * tick);
-      if (outcome != Outcome::accepted) std::fprintf(stderr, "DBG t %g dt %g %s its %d\n", now_.time_s, ticks * tick, cause(outcome).c_str(), iterations_of_last_step_);
       if (outcome == Outcome::accepted)
       {
         done += ticks;
-        largest    = ticks_per_step;
-        fresh_mesh = just_remeshed_;
+        largest     = ticks_per_step;
+        fresh_mesh  = just_remeshed_;
         now_.time_s = (grid_step_ + double(done) / ticks_per_step) * scene_.time.time_step_s();
       }
       else if (fluid_ && !fresh_mesh)
@@ -96,9 +101,11 @@ namespace swimtwin
       else
       {
         std::ostringstream message;
-        message << "the step at t = " << now_.time_s << " s failed (" << cause(outcome) << ") after a remesh and " << halvings
-                << " halvings of the step: raise [time] steps_per_period, refine [numerics] mesh_size_m, or check that the "
-                   "field, the magnetization and young_modulus_Pa are what you meant";
+        message
+            << "the step at t = " << now_.time_s << " s failed (" << cause(outcome) << ") after a remesh and "
+            << halvings
+            << " halvings of the step: raise [time] steps_per_period, refine [numerics] mesh_size_m, or check that the "
+               "field, the magnetization and young_modulus_Pa are what you meant";
         throw ComputationError(message.str());
       }
     }
@@ -110,16 +117,16 @@ namespace swimtwin
   {
     switch (outcome)
     {
-      case Outcome::accepted:
-        return "accepted";
-      case Outcome::mesh_inverted:
-        return "an element of the fluid's mesh was turned inside out";
-      case Outcome::tail_inverted:
-        return "an element of the tail was turned inside out";
-      case Outcome::coupling_diverged:
-        return "the coupling iteration did not converge";
-      case Outcome::linear_solver_failed:
-        return "the linear solver failed";
+    case Outcome::accepted:
+      return "accepted";
+    case Outcome::mesh_inverted:
+      return "an element of the fluid's mesh was turned inside out";
+    case Outcome::tail_inverted:
+      return "an element of the tail was turned inside out";
+    case Outcome::coupling_diverged:
+      return "the coupling iteration did not converge";
+    case Outcome::linear_solver_failed:
+      return "the linear solver failed";
     }
     return "unknown";
   }
@@ -152,10 +159,13 @@ namespace swimtwin
   }
 
   template <int dim>
-  std::vector<double> FullOrderModel<dim>::extrapolated_unknowns(const double dt, const Configuration<dim> &configuration, const Rates<dim> &rates) const
+  std::vector<double> FullOrderModel<dim>::extrapolated_unknowns(const double              dt,
+                                                                 const Configuration<dim> &configuration,
+                                                                 const Rates<dim>         &rates) const
   {
     if (unknowns_.empty())
-      return system_->guess({rates.velocity, rates.omega, swimmer_.has_tail() ? swimmer_.tail_velocities(configuration, rates) : NodalField<dim>()});
+      return system_->guess({rates.velocity, rates.omega,
+                             swimmer_.has_tail() ? swimmer_.tail_velocities(configuration, rates) : NodalField<dim>()});
     std::vector<double> result = unknowns_;
     if (!unknowns_before_.empty() && time_step_before_ > 0.)
       for (unsigned int i = 0; i < result.size(); ++i)
@@ -165,7 +175,8 @@ namespace swimtwin
 
   template <int dim>
   Configuration<dim> FullOrderModel<dim>::advance_kinematics(const Configuration<dim> &known, const double slope_weight,
-                                                             const CoupledVelocities<dim> &velocities, Rates<dim> &rates) const
+                                                             const CoupledVelocities<dim> &velocities,
+                                                             Rates<dim>                   &rates) const
   {
     Configuration<dim> next;
     rates.velocity   = velocities.head_velocity;
@@ -175,7 +186,8 @@ namespace swimtwin
     if (!swimmer_.has_tail())
       return next;
 
-    // w = U + omega x R (X + d) + R d', d = known + slope d': solve (1 + slope omega x) d = known + slope (R^T (w - U) - omega x X).
+    // w = U + omega x R (X + d) + R d', d = known + slope d': solve (1 + slope omega x) d = known + slope (R^T (w - U)
+    // - omega x X).
     Tensor<2, dim> matrix;
     for (int c = 0; c < dim; ++c)
     {
@@ -190,8 +202,9 @@ namespace swimtwin
     next.shape.resize(mesh.n_nodes());
     for (unsigned int a = 0; a < mesh.n_nodes(); ++a)
       if (!swimmer_.is_clamped(a))
-        next.shape[a] = inverse * (known.shape[a] + slope_weight * (Rt * (velocities.tail[a] - rates.velocity) -
-                                                                     rotational_velocity<dim>(rates.omega, mesh.nodes[a])));
+        next.shape[a] =
+            inverse * (known.shape[a] + slope_weight * (Rt * (velocities.tail[a] - rates.velocity) -
+                                                        rotational_velocity<dim>(rates.omega, mesh.nodes[a])));
     if (scene_.numerics.tail_order == 1)
       for (unsigned int e = 0; e < mesh.edges().size(); ++e)
         next.shape[mesh.n_vertices() + e] = .5 * (next.shape[mesh.edges()[e][0]] + next.shape[mesh.edges()[e][1]]);
@@ -233,15 +246,15 @@ namespace swimtwin
       Configuration<dim> next   = advance_kinematics(known, bdf.slope_weight, system_->velocities(unknowns), rates);
       const double       change = swimmer_.relative_change(next, guess);
       counts_.coupling_cpu_s += cpu_seconds() - moved;
- if(std::getenv("DBG")) std::fprintf(stderr,"  t %.4f it %d change %.3e q %.3f\n",time,iteration,change,fluid_?fluid_->quality():0.);
       guess = std::move(next);
       if (iteration == 2)
         contraction_ = {change / change_before, counts_.n_steps};
-      if (change_before > 0. && !(change < 100. * change_before))
+      if (!(change < far_too_far))
         return Outcome::coupling_diverged;
       // What is left to correct is estimated from the iteration's contraction: measured in this step, or, for the first
       // iteration, in a recent one.
-      const double left_over = iteration == 1 ? contraction_.expected(counts_.n_steps) * change : change * change / change_before;
+      const double left_over =
+          iteration == 1 ? contraction_.expected(counts_.n_steps) * change : change * change / change_before;
       if (left_over <= scene_.numerics.coupling_tolerance)
       {
         if (swimmer_.has_tail() && swimmer_.elasticity().is_inverted(guess.shape))
@@ -316,7 +329,7 @@ namespace swimtwin
     if (!fluid_ || unknowns_.empty())
       return {};
     std::vector<double> rows = system_->expand(unknowns_);
-    rows.resize(fluid_->n_rows());
+    rows.resize(fluid_->n_rows()); // the tail's and the head's follow
     return rows;
   }
 

@@ -30,16 +30,16 @@ namespace swimtwin
   template <int dim>
   struct ModelState
   {
-    Instant<dim>                         now, before;
-    double                               time_step_before_s = 0.; ///< 0: nothing before
-    int                                  grid_step = 0, steps_since_remeshing = 0;
-    std::vector<double>                  unknowns, unknowns_before;
-    std::optional<FluidMeshRecord<dim>>  fluid_mesh;
-    RigidPose<dim>                       pose_at_meshing;
-    double                               contraction_value = 1.;
-    int                                  contraction_measured_at_step = -1000;
-    StepCounts                           counts;
-    LinearSolverCounts                   linear_counts;
+    Instant<dim>                        now, before;
+    double                              time_step_before_s = 0.; ///< 0: nothing before
+    int                                 grid_step = 0, steps_since_remeshing = 0;
+    std::vector<double>                 unknowns, unknowns_before;
+    std::optional<FluidMeshRecord<dim>> fluid_mesh;
+    RigidPose<dim>                      pose_at_meshing;
+    double                              contraction_value            = 1.;
+    int                                 contraction_measured_at_step = -1000;
+    StepCounts                          counts;
+    LinearSolverCounts                  linear_counts;
   };
 
   template <int dim>
@@ -53,19 +53,19 @@ namespace swimtwin
     /// after failures. Collective; throws ComputationError that names time, cause and remedy.
     void advance();
 
-    const Instant<dim>      &now() const { return now_; }
-    int                      coupling_iterations_of_last_step() const { return iterations_of_last_step_; }
-    bool                     just_remeshed() const { return just_remeshed_; }
-    const StepCounts        &counts() const { return counts_; }
-    LinearSolverCounts       linear_counts() const { return linear_system_.counts(); }
-    unsigned int             n_unknowns() const { return system_->n_unknowns(); }
-    const Swimmer<dim>      &swimmer() const { return swimmer_; }
-    const FluidDomain<dim>  *fluid() const { return fluid_.get(); }
+    const Instant<dim>     &now() const { return now_; }
+    int                     coupling_iterations_of_last_step() const { return iterations_of_last_step_; }
+    bool                    just_remeshed() const { return just_remeshed_; }
+    const StepCounts       &counts() const { return counts_; }
+    LinearSolverCounts      linear_counts() const { return linear_system_.counts(); }
+    unsigned int            n_unknowns() const { return system_->n_unknowns(); }
+    const Swimmer<dim>     &swimmer() const { return swimmer_; }
+    const FluidDomain<dim> *fluid() const { return fluid_.get(); }
     /// Balance of the last accepted step (before any remeshing after it).
-    const PowerBalance      &balance() const { return balance_; }
-    /// Fluid rows' values (velocities, scaled pressures) of the last accepted step, on the mesh of that step; empty just
-    /// after remeshing or without fluid.
-    std::vector<double>      fluid_values() const;
+    const PowerBalance &balance() const { return balance_; }
+    /// Fluid rows' values (velocities, scaled pressures) of the last accepted step, on the mesh of that step; empty
+    /// just after remeshing or without fluid.
+    std::vector<double> fluid_values() const;
 
     /// Collective. The next step factorises anew, so that a restored run repeats this one's arithmetic.
     ModelState<dim> state();
@@ -78,22 +78,23 @@ namespace swimtwin
     /// How much one coupling iteration reduces the error, as last measured; 1 when that was too long ago.
     struct Contraction
     {
-      double value = 1.;
+      double value            = 1.;
       int    measured_at_step = -1000;
       double expected(int step) const;
     };
 
-    Outcome            try_step(double dt);
-    void               accept(double dt, Configuration<dim> configuration, Rates<dim> rates);
-    Configuration<dim> advance_kinematics(const Configuration<dim> &known, double slope_weight, const CoupledVelocities<dim> &velocities,
-                                          Rates<dim> &rates) const;
-    Configuration<dim> known_part(const Bdf2 &bdf) const;
-    Rates<dim>         extrapolated_rates(double dt) const;
-    std::vector<double> extrapolated_unknowns(double dt, const Configuration<dim> &configuration, const Rates<dim> &rates) const;
-    bool               wants_remeshing() const;
-    void               remesh();
-    void               use_fluid_mesh(FluidMesh<dim> mesh, const RigidPose<dim> &pose);
-    void               solve_initial_flow();
+    Outcome             try_step(double dt);
+    void                accept(double dt, Configuration<dim> configuration, Rates<dim> rates);
+    Configuration<dim>  advance_kinematics(const Configuration<dim> &known, double slope_weight,
+                                           const CoupledVelocities<dim> &velocities, Rates<dim> &rates) const;
+    Configuration<dim>  known_part(const Bdf2 &bdf) const;
+    Rates<dim>          extrapolated_rates(double dt) const;
+    std::vector<double> extrapolated_unknowns(double dt, const Configuration<dim> &configuration,
+                                              const Rates<dim> &rates) const;
+    bool                wants_remeshing() const;
+    void                remesh();
+    void                use_fluid_mesh(FluidMesh<dim> mesh, const RigidPose<dim> &pose);
+    void                solve_initial_flow();
 
     const Scene                        &scene_;
     MPI_Comm                            communicator_;

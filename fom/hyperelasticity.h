@@ -30,8 +30,8 @@ namespace swimtwin
 
     virtual ~HyperelasticLaw() = default;
     /// W(F) in J/m^3; infinite where the law is not defined (neo-Hookean at det F <= 0).
-    virtual double                 energy(const dealii::Tensor<2, dim> &F) const = 0;
-    virtual dealii::Tensor<2, dim> stress(const dealii::Tensor<2, dim> &F) const = 0;
+    virtual double                 energy(const dealii::Tensor<2, dim> &F) const  = 0;
+    virtual dealii::Tensor<2, dim> stress(const dealii::Tensor<2, dim> &F) const  = 0;
     virtual Response               respond(const dealii::Tensor<2, dim> &F) const = 0;
   };
 

@@ -17,7 +17,7 @@ namespace swimtwin
 
     /// Quadrature exact to polynomial degree 2 n - 1 on straight cells.
     explicit IsoparametricCell(const unsigned int n = 3)
-      : quadrature_(n), gradients_(quadrature_.size()), weights_(quadrature_.size())
+        : quadrature_(n), gradients_(quadrature_.size()), weights_(quadrature_.size())
     {
       const dealii::FE_SimplexP<dim> quadratic(2), linear(1);
       for (const auto &point : quadrature_.get_points())
@@ -50,11 +50,14 @@ namespace swimtwin
       }
     }
 
-    unsigned int                  n_points() const { return quadrature_.size(); }
-    double                        weight(const unsigned int q) const { return weights_[q]; }
-    double                        value(const unsigned int q, const unsigned int a) const { return reference_[q].value[a]; }
-    double                        linear_value(const unsigned int q, const unsigned int v) const { return reference_[q].linear_value[v]; }
-    const dealii::Tensor<1, dim> &gradient(const unsigned int q, const unsigned int a) const { return gradients_[q][a]; }
+    unsigned int n_points() const { return quadrature_.size(); }
+    double       weight(const unsigned int q) const { return weights_[q]; }
+    double       value(const unsigned int q, const unsigned int a) const { return reference_[q].value[a]; }
+    double linear_value(const unsigned int q, const unsigned int v) const { return reference_[q].linear_value[v]; }
+    const dealii::Tensor<1, dim> &gradient(const unsigned int q, const unsigned int a) const
+    {
+      return gradients_[q][a];
+    }
 
     /// Position of a quadrature point of the cell at x.
     dealii::Point<dim> position(const unsigned int q, const std::array<dealii::Point<dim>, n_nodes> &x) const

@@ -17,7 +17,10 @@ namespace swimtwin
                                std::to_string(code) + "): most likely memory is short; use a coarser mesh");
     }
 
-    double cpu_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
+    double cpu_seconds()
+    {
+      return double(std::clock()) / CLOCKS_PER_SEC;
+    }
 
     /// Adds the CPU time of a scope to a counter.
     class ScopedCpuTime
@@ -35,10 +38,14 @@ namespace swimtwin
   } // namespace
 
   LinearSystem::LinearSystem(const MPI_Comm communicator, const LinearSolverOptions &options)
-    : communicator_(communicator), options_(options)
-  {}
+      : communicator_(communicator), options_(options)
+  {
+  }
 
-  LinearSystem::~LinearSystem() { clear(); }
+  LinearSystem::~LinearSystem()
+  {
+    clear();
+  }
 
   void LinearSystem::clear()
   {
@@ -51,17 +58,18 @@ namespace swimtwin
     has_factors_ = false;
   }
 
-  void LinearSystem::set_pattern(const PetscInt first_row, const PetscInt last_row, std::vector<PetscInt> rows, std::vector<PetscInt> columns)
+  void LinearSystem::set_pattern(const PetscInt first_row, const PetscInt last_row, std::vector<PetscInt> rows,
+                                 std::vector<PetscInt> columns)
   {
     const ScopedCpuTime time(counts_.assembly_cpu_s);
     clear();
     first_row_ = first_row;
     last_row_  = last_row;
     check(MatCreate(communicator_, &matrix_), "made a matrix");
-    check(MatSetSizes(matrix_, last_row - first_row, last_row - first_row, PETSC_DETERMINE, PETSC_DETERMINE), "sized a matrix");
+    check(MatSetSizes(matrix_, last_row - first_row, last_row - first_row, PETSC_DETERMINE, PETSC_DETERMINE),
+          "sized a matrix");
     check(MatSetType(matrix_, MATAIJ), "made a matrix");
     check(MatSetPreallocationCOO(matrix_, rows.size(), rows.data(), columns.data()), "laid out a matrix");
-    check(MatSetOption(matrix_, MAT_SYMMETRIC, PETSC_TRUE), "marked a matrix");
     if (options_.positive_definite)
       check(MatSetOption(matrix_, MAT_SPD, PETSC_TRUE), "marked a matrix");
     check(MatCreateVecs(matrix_, &solution_, &rhs_), "made vectors");
@@ -119,9 +127,9 @@ namespace swimtwin
       PCFailedReason failure;
       check(KSPGetPC(ksp_, &pc), "factorised");
       check(PCGetFailedReason(pc, &failure), "factorised");
-      has_factors_           = failure == PC_NOERROR;
-      solves_with_factors_   = 0;
-      effort_with_factors_   = options_.factorization_effort;
+      has_factors_         = failure == PC_NOERROR;
+      solves_with_factors_ = 0;
+      effort_with_factors_ = options_.factorization_effort;
       if (!has_factors_)
         return false;
     }
@@ -158,7 +166,8 @@ namespace swimtwin
       VecRestoreArray(solution_, &local);
     };
     load_guess();
-    bool converged = has_factors_ && options_.reuse_factorization && !factors_are_worn_ && solve_with(true, options_.max_stale_iterations);
+    bool converged = has_factors_ && options_.reuse_factorization && !factors_are_worn_ &&
+                     solve_with(true, options_.max_stale_iterations);
     if (!converged)
     {
       load_guess();

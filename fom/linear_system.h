@@ -17,12 +17,12 @@ namespace swimtwin
 
   struct LinearSolverOptions
   {
-    double      tolerance            = 1e-9; ///< on the preconditioned residual, relative to the preconditioned right-hand side
-    bool        reuse_factorization  = true; ///< keep the last factors as preconditioner while they serve
-    int         max_stale_iterations = 20;   ///< give up on old factors after so many GMRES iterations and factorise anew
-    int         factorization_effort = 8;    ///< of a factorisation in GMRES iterations: 7 to 8 measured in 2D at 17,000 unknowns
-    bool        positive_definite    = false; ///< Cholesky instead of LU
-    bool        direct               = false; ///< the matrix never changes: its factors are the solver, without iterations
+    double tolerance = 1e-9; ///< on the preconditioned residual, relative to the preconditioned right-hand side
+    bool   reuse_factorization  = true; ///< keep the last factors as preconditioner while they serve
+    int    max_stale_iterations = 12;   ///< give up on old factors after so many GMRES iterations and factorise anew
+    int  factorization_effort = 8; ///< of a factorisation in GMRES iterations: 7 to 8 measured in 2D at 17,000 unknowns
+    bool positive_definite    = false; ///< Cholesky instead of LU
+    bool direct               = false; ///< the matrix never changes: its factors are the solver, without iterations
   };
 
   /// Matrix entries are given by rows and columns once (MatSetPreallocationCOO), then only their values change; entries
@@ -45,8 +45,8 @@ namespace swimtwin
     /// Factorise anew at the next solve, so that what follows does not depend on what was before.
     void forget_factors() { has_factors_ = false; }
 
-    /// Solve, starting from `solution` (full length on every rank), and replace it. False if neither old nor new factors
-    /// gave the tolerance, or the result is not finite. Collective.
+    /// Solve, starting from `solution` (full length on every rank), and replace it. False if neither old nor new
+    /// factors gave the tolerance, or the result is not finite. Collective.
     bool solve(std::vector<double> &solution);
 
     const LinearSolverCounts &counts() const { return counts_; }

@@ -53,9 +53,10 @@ namespace swimtwin
 
     /// The cell's weight in the law of mesh motion.
     template <int dim>
-    std::vector<double> cell_stiffness(const SimplexMesh<dim> &mesh, const MeshMotion law, const std::vector<unsigned int> &moving_nodes)
+    std::vector<double> cell_stiffness(const SimplexMesh<dim> &mesh, const MeshMotion law,
+                                       const std::vector<unsigned int> &moving_nodes)
     {
-      const std::vector<double> volume = cell_volumes(mesh);
+      const std::vector<double> volume   = cell_volumes(mesh);
       const double              smallest = *std::min_element(volume.begin(), volume.end()),
                    largest               = *std::max_element(volume.begin(), volume.end());
       std::vector<double> stiffness(mesh.n_cells(), 1.);
@@ -75,7 +76,8 @@ namespace swimtwin
 
     /// elastic: 2 mu D:D + lambda div div with lambda = mu = 1; else component-wise Laplacian.
     template <int dim>
-    void cell_matrix(const LinearCell<dim> &cell, const MeshMotion law, const double stiffness, std::vector<std::vector<double>> &K)
+    void cell_matrix(const LinearCell<dim> &cell, const MeshMotion law, const double stiffness,
+                     std::vector<std::vector<double>> &K)
     {
       const double w = stiffness * cell.volume;
       for (int a = 0; a <= dim; ++a)
@@ -99,10 +101,11 @@ namespace swimtwin
   } // namespace
 
   template <int dim>
-  MeshExtension<dim>::MeshExtension(const SimplexMesh<dim> &mesh, const NodeNumbering<dim> &numbering, const MeshMotion law,
-                                    std::vector<unsigned int> moving_nodes, const std::vector<unsigned int> &still_nodes)
-    : mesh_(mesh), numbering_(numbering), moving_nodes_(std::move(moving_nodes)), map_(numbering.size(), 0, 1.),
-      condensation_(map_), system_(mesh.communicator(), extension_options())
+  MeshExtension<dim>::MeshExtension(const SimplexMesh<dim> &mesh, const NodeNumbering<dim> &numbering,
+                                    const MeshMotion law, std::vector<unsigned int> moving_nodes,
+                                    const std::vector<unsigned int> &still_nodes)
+      : mesh_(mesh), numbering_(numbering), moving_nodes_(std::move(moving_nodes)), map_(numbering.size(), 0, 1.),
+        condensation_(map_), system_(mesh.communicator(), extension_options())
   {
     std::vector<char> is_unknown(numbering.size(), 0);
     for (unsigned int vertex = 0; vertex < mesh.n_vertices(); ++vertex)

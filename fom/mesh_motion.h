@@ -39,13 +39,13 @@ namespace swimtwin
     };
     void assemble(MeshMotion law);
 
-    const SimplexMesh<dim>    &mesh_;
-    const NodeNumbering<dim>  &numbering_;
-    std::vector<unsigned int>  moving_nodes_;
-    MotionMap<dim>             map_;
-    Condensation<dim>          condensation_;
-    LinearSystem               system_;
-    std::vector<BoundaryCell>  boundary_cells_; ///< owned cells that touch moving nodes, for the right-hand side
-    std::vector<double>        last_solution_;
+    const SimplexMesh<dim>   &mesh_;
+    const NodeNumbering<dim> &numbering_;
+    std::vector<unsigned int> moving_nodes_;
+    MotionMap<dim>            map_;
+    Condensation<dim>         condensation_;
+    LinearSystem              system_;
+    std::vector<BoundaryCell> boundary_cells_; ///< owned cells that touch moving nodes, for the right-hand side
+    std::vector<double>       last_solution_;
   };
 } // namespace swimtwin

@@ -13,7 +13,7 @@ namespace swimtwin
 
   template <int dim>
   NodeNumbering<dim>::NodeNumbering(const SimplexMesh<dim> &mesh, const bool with_pressure)
-    : dof_handler_(mesh.triangulation()), vector_index_(mesh.n_nodes() * dim), pressure_index_(mesh.n_vertices(), 0)
+      : dof_handler_(mesh.triangulation()), vector_index_(mesh.n_nodes() * dim), pressure_index_(mesh.n_vertices(), 0)
   {
     if (with_pressure)
       dof_handler_.distribute_dofs(FESystem<dim>(FE_SimplexP<dim>(2), dim, FE_SimplexP<dim>(1), 1));
@@ -45,10 +45,15 @@ namespace swimtwin
   }
 
   template <int dim>
-  MotionMap<dim>::MotionMap(const unsigned int n_fluid_rows, const unsigned int n_tail_rows, const double length_scale_m)
-    : imposed(n_fluid_rows + n_tail_rows, 0.), length_scale_(length_scale_m), kind_(imposed.size(), Kind::free),
-      head_row_of_row_(imposed.size(), -1), masters_(imposed.size()), rotation_(unit_symmetric_tensor<dim>())
-  {}
+  MotionMap<dim>::MotionMap(const unsigned int n_fluid_rows, const unsigned int n_tail_rows,
+                            const double length_scale_m)
+      : imposed(n_fluid_rows + n_tail_rows + n_rigid<dim>, 0.), length_scale_(length_scale_m),
+        kind_(imposed.size(), Kind::free), head_row_of_row_(imposed.size(), -1), masters_(imposed.size()),
+        rotation_(unit_symmetric_tensor<dim>())
+  {
+    for (int k = 0; k < n_rigid<dim>; ++k)
+      kind_[head_row(k)] = Kind::head;
+  }
 
   template <int dim>
   void MotionMap<dim>::impose(const unsigned int row)
@@ -59,7 +64,7 @@ namespace swimtwin
   template <int dim>
   void MotionMap<dim>::tie_to_head(const unsigned int row, const unsigned int component, const Tensor<1, dim> &X)
   {
-    kind_[row]            = Kind::head;
+    kind_[row]            = Kind::on_head;
     head_row_of_row_[row] = head_rows_.size();
     head_rows_.push_back({component, X});
   }
@@ -76,31 +81,37 @@ namespace swimtwin
   {
     switch (kind_[row])
     {
-      case Kind::free:
-        terms_.push_back({unknown_[row], factor});
-        break;
-      case Kind::imposed:
-        break;
-      case Kind::head:
+    case Kind::free:
+      terms_.push_back({unknown_[row], factor});
+      break;
+    case Kind::imposed:
+      break;
+    case Kind::head:
+      if (head_is_free_)
       {
-        if (!head_is_free_)
-          break;
-        const auto &[component, X] = head_rows_[head_row_of_row_[row]];
-        const unsigned int first   = first_head_unknown();
-        terms_.push_back({first + component, factor});
-        const Tensor<1, dim> r = rotation_ * X / length_scale_;
-        for (int k = 0; k < n_rotations<dim>; ++k)
-        {
-          AngularVelocity<dim> axis;
-          axis[k] = factor;
-          terms_.push_back({first + dim + k, rotational_velocity<dim>(axis, r)[component]});
-        }
-        break;
+        const unsigned int k = row - head_row(0);
+        terms_.push_back({first_head_unknown() + k, k < dim ? factor : factor / length_scale_});
       }
-      case Kind::tied:
-        for (const auto master : masters_[row])
-          append_terms(master, factor / masters_[row].size());
+      break;
+    case Kind::on_head: {
+      if (!head_is_free_)
         break;
+      const auto &[component, X] = head_rows_[head_row_of_row_[row]];
+      const unsigned int first   = first_head_unknown();
+      terms_.push_back({first + component, factor});
+      const Tensor<1, dim> r = rotation_ * X / length_scale_;
+      for (int k = 0; k < n_rotations<dim>; ++k)
+      {
+        AngularVelocity<dim> axis;
+        axis[k] = factor;
+        terms_.push_back({first + dim + k, rotational_velocity<dim>(axis, r)[component]});
+      }
+      break;
+    }
+    case Kind::tied:
+      for (const auto master : masters_[row])
+        append_terms(master, factor / masters_[row].size());
+      break;
     }
   }
 
@@ -118,10 +129,12 @@ namespace swimtwin
   }
 
   template <int dim>
-  void MotionMap<dim>::close(const std::vector<unsigned int> &owner, const bool head_is_free, const MPI_Comm communicator)
+  void MotionMap<dim>::close(const std::vector<unsigned int> &owner, const bool head_is_free,
+                             const MPI_Comm communicator)
   {
     head_is_free_             = head_is_free;
-    const unsigned int n_rank = Utilities::MPI::n_mpi_processes(communicator), me = Utilities::MPI::this_mpi_process(communicator);
+    const unsigned int n_rank = Utilities::MPI::n_mpi_processes(communicator),
+                       me     = Utilities::MPI::this_mpi_process(communicator);
 
     std::vector<unsigned int> first_of_rank(n_rank + 1, 0);
     for (unsigned int row = 0; row < n_rows(); ++row)
@@ -170,7 +183,7 @@ namespace swimtwin
   template <int dim>
   void MotionMap<dim>::add_load_on_head(const unsigned int row, const double load, Tensor<1, n_rigid<dim>> &sum) const
   {
-    if (kind_[row] == Kind::head)
+    if (kind_[row] == Kind::on_head)
     {
       const auto &[component, X] = head_rows_[head_row_of_row_[row]];
       sum[component] += load;

@@ -11,8 +11,8 @@
 
 namespace swimtwin
 {
-  /// Numbers of nodal values on a mesh, with the rank that owns each: velocity components at all nodes and, for a fluid,
-  /// pressures at vertices. deal.II distributes them.
+  /// Numbers of nodal values on a mesh, with the rank that owns each: velocity components at all nodes and, for a
+  /// fluid, pressures at vertices. deal.II distributes them.
   template <int dim>
   class NodeNumbering
   {
@@ -20,9 +20,12 @@ namespace swimtwin
     NodeNumbering(const SimplexMesh<dim> &mesh, bool with_pressure);
 
     unsigned int size() const { return owner_.size(); }
-    unsigned int vector_index(const unsigned int node, const unsigned int component) const { return vector_index_[node * dim + component]; }
-    unsigned int pressure_index(const unsigned int vertex) const { return pressure_index_[vertex]; }
-    unsigned int owner(const unsigned int index) const { return owner_[index]; }
+    unsigned int vector_index(const unsigned int node, const unsigned int component) const
+    {
+      return vector_index_[node * dim + component];
+    }
+    unsigned int                   pressure_index(const unsigned int vertex) const { return pressure_index_[vertex]; }
+    unsigned int                   owner(const unsigned int index) const { return owner_[index]; }
     const dealii::DoFHandler<dim> &dof_handler() const { return dof_handler_; }
 
   private:
@@ -33,9 +36,10 @@ namespace swimtwin
 
   /// P as a sparse matrix with a constant part: value(row) = sum_k coefficient_k unknown_k + imposed(row).
   ///
-  /// Rows are the nodal values of the fluid, then those of the tail. A row is free (one unknown of its own), imposed (no
-  /// unknown), tied to the tail's rows, or moves with the head. Unknowns are numbered by rank; the head's come last:
-  /// velocities (m/s) and angular velocities times the length scale (m/s), so that all have like size.
+  /// Rows are the nodal values of the fluid, then those of the tail, then the head's own velocities (m/s, rad/s). A row
+  /// is free (one unknown of its own), imposed (no unknown), tied to the tail's rows, or moves with the head. Unknowns
+  /// are numbered by rank; the head's come last: velocities (m/s) and angular velocities times the length scale (m/s),
+  /// so that all have like size.
   template <int dim>
   class MotionMap
   {
@@ -62,13 +66,15 @@ namespace swimtwin
     /// Turn the head: updates the coefficients of rows that move with it. Which unknowns a row has never changes.
     void set_rotation(const dealii::Tensor<2, dim> &rotation);
 
-    std::vector<double> imposed; ///< constant part of every row
+    std::vector<double> imposed; ///< constant part of every row: zero but for imposed ones
 
     unsigned int n_rows() const { return kind_.size(); }
     unsigned int n_unknowns() const { return n_unknowns_; }
     unsigned int first_owned() const { return first_owned_; }
     unsigned int last_owned() const { return last_owned_; }
     bool         head_is_free() const { return head_is_free_; }
+    /// Row of the head's k-th velocity: translations, then rotations.
+    unsigned int head_row(const unsigned int k) const { return n_rows() - n_rigid<dim> + k; }
     unsigned int first_head_unknown() const { return n_unknowns_ - n_rigid<dim>; }
     double       length_scale() const { return length_scale_; }
 
@@ -85,7 +91,7 @@ namespace swimtwin
     void add_load(unsigned int row, double load, std::vector<double> &right_hand_side) const;
 
   private:
-    enum class Kind : char { free, imposed, head, tied };
+    enum class Kind : char { free, imposed, on_head, head, tied };
     struct HeadRow
     {
       unsigned int           component;

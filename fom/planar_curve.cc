@@ -12,7 +12,8 @@ namespace swimtwin
     return {[=](const double t) { return Point<2>((1. - t) * from + t * Tensor<1, 2>(to)); }};
   }
 
-  PlanarCurve PlanarCurve::arc(const Point<2> &center, const std::array<double, 2> &radii, const double from_rad, const double to_rad)
+  PlanarCurve PlanarCurve::arc(const Point<2> &center, const std::array<double, 2> &radii, const double from_rad,
+                               const double to_rad)
   {
     return {[=](const double t) {
       const double phi = from_rad + t * (to_rad - from_rad);
@@ -22,12 +23,13 @@ namespace swimtwin
 
   namespace
   {
-    /// Running integrals along a curve, tabulated finely; inverse() returns the parameter where the integral has a value.
+    /// Running integrals along a curve, tabulated finely; inverse() returns the parameter where the integral has a
+    /// value.
     class CumulativeIntegral
     {
     public:
       CumulativeIntegral(const PlanarCurve &curve, const std::function<double(const Point<2> &)> &density)
-        : value_(n_samples + 1, 0.)
+          : value_(n_samples + 1, 0.)
       {
         Point<2> previous = curve.position(0.);
         for (unsigned int i = 1; i <= n_samples; ++i)

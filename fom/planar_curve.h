@@ -15,14 +15,15 @@ namespace swimtwin
 
     static PlanarCurve line(const dealii::Point<2> &from, const dealii::Point<2> &to);
     /// Ellipse with half axes `radii`, from one polar parameter to another (rad).
-    static PlanarCurve arc(const dealii::Point<2> &center, const std::array<double, 2> &radii, double from_rad, double to_rad);
+    static PlanarCurve arc(const dealii::Point<2> &center, const std::array<double, 2> &radii, double from_rad,
+                           double to_rad);
   };
 
   /// Wanted edge length (m) at a point.
   using SizeField = std::function<double(const dealii::Point<2> &)>;
 
-  /// Nodes of a quadratic curve mesh: vertex, midpoint, vertex, ..., last vertex. All lie on the curve, edges have equal
-  /// length in units of the size field and are never longer than it asks; midpoints halve the arc of their edge.
+  /// Nodes of a quadratic curve mesh: vertex, midpoint, vertex, ..., last vertex. All lie on the curve, edges have
+  /// equal length in units of the size field and are never longer than it asks; midpoints halve the arc of their edge.
   std::vector<dealii::Point<2>> divide(const PlanarCurve &curve, const SizeField &size, unsigned int min_edges = 1);
 
   /// Where the size is prescribed at points and grows linearly away from each: min_i (h_i + growth |x - x_i|), at most

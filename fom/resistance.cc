@@ -36,13 +36,14 @@ namespace swimtwin
   } // namespace
 
   template <int dim>
-  ResistanceResult<dim> compute_resistance(const Swimmer<dim> &swimmer, const Configuration<dim> &configuration, const MPI_Comm communicator)
+  ResistanceResult<dim> compute_resistance(const Swimmer<dim> &swimmer, const Configuration<dim> &configuration,
+                                           const MPI_Comm communicator)
   {
     const Scene     &scene = swimmer.scene();
     const auto       pose  = configuration.pose;
     FluidDomain<dim> fluid(scene,
-                           make_fluid_mesh(*scene.domain, swimmer.surface(configuration), swimmer.surface_mesh_size(), pose,
-                                           swimmer.pose_at_rest(), scene.numerics, communicator),
+                           make_fluid_mesh(*scene.domain, swimmer.surface(configuration), swimmer.surface_mesh_size(),
+                                           pose, swimmer.pose_at_rest(), scene.numerics, communicator),
                            pose);
 
     MotionMap<dim> map(fluid.n_rows(), 0, scene.body_length_m());
@@ -77,7 +78,8 @@ namespace swimtwin
         load[map.first_head_unknown() + j] = 1.;
       system.set_right_hand_side(load);
       if (!system.solve(motion))
-        throw ComputationError("the Stokes problem of the resistance matrix could not be solved: change [numerics] mesh_size_m");
+        throw ComputationError(
+            "the Stokes problem of the resistance matrix could not be solved: change [numerics] mesh_size_m");
       for (int i = 0; i < n; ++i)
         mobility(i, j) = motion[map.first_head_unknown() + i];
     }

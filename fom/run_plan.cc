@@ -13,25 +13,35 @@ namespace swimtwin
   {
     /// One core, 2D, MUMPS with OpenBLAS: CPU time per coupling iteration and memory against unknowns, as measured by
     /// bench/work_precision on the shipped reference scene (docs/benchmarks.md).
-    double seconds_per_iteration(const double n_unknowns) { return 0.028 * std::pow(n_unknowns / 7400., 1.2); }
-    double memory_MB(const double n_unknowns) { return 210. + 0.017 * n_unknowns; }
+    double seconds_per_iteration(const double n_unknowns)
+    {
+      return 0.028 * std::pow(n_unknowns / 7400., 1.2);
+    }
+    double memory_MB(const double n_unknowns)
+    {
+      return 210. + 0.017 * n_unknowns;
+    }
     constexpr double iterations_per_step = 1.5;
 
     void plan_fluid(const Scene &scene, RunPlan &plan)
     {
       if (!scene.fluid)
       {
-        plan.skipped.push_back({"fluid", "the scene has none: the tail is in equilibrium with its loads at every instant"});
+        plan.skipped.push_back(
+            {"fluid", "the scene has none: the tail is in equilibrium with its loads at every instant"});
         return;
       }
       plan.solved.push_back({"fluid", "Stokes flow, P2/P1 triangles with second-order geometry"});
       const double group = unsteady_group(scene);
       plan.numbers.push_back({"unsteady group", fmt::format("2 pi rho f L^2 / mu = {:.3g}", group)});
-      plan.skipped.push_back({"fluid inertia", fmt::format("the quasi-static model neglects it; relative size of what is neglected: up to {:.2g}", group)});
+      plan.skipped.push_back(
+          {"fluid inertia",
+           fmt::format("the quasi-static model neglects it; relative size of what is neglected: up to {:.2g}", group)});
       if (group > 1.)
-        plan.warnings.push_back(fmt::format("the unsteady group is {:.3g}: fluid inertia is not small, and this version neglects it; lower [field] "
-                                            "frequency_Hz or raise [fluid] viscosity_Pa_s to trust the result",
-                                            group));
+        plan.warnings.push_back(fmt::format(
+            "the unsteady group is {:.3g}: fluid inertia is not small, and this version neglects it; lower [field] "
+            "frequency_Hz or raise [fluid] viscosity_Pa_s to trust the result",
+            group));
     }
 
     void plan_body(const Scene &scene, RunPlan &plan)
@@ -40,10 +50,15 @@ namespace swimtwin
         plan.skipped.push_back({"elasticity", "the body has no tail: one rigid body with three velocities"});
       else
       {
-        plan.solved.push_back({"tail", fmt::format("{}, P{} displacement, total Lagrangian", scene.tail->law == MaterialModel::neo_hookean ? "compressible neo-Hookean" : "St Venant-Kirchhoff", scene.numerics.tail_order)});
+        plan.solved.push_back(
+            {"tail", fmt::format("{}, P{} displacement, total Lagrangian",
+                                 scene.tail->law == MaterialModel::neo_hookean ? "compressible neo-Hookean"
+                                                                               : "St Venant-Kirchhoff",
+                                 scene.numerics.tail_order)});
         plan.skipped.push_back({"solid inertia", "quasi-static: the tail is in equilibrium with the flow"});
         if (scene.fluid && scene.time.period_s > 0.)
-          plan.numbers.push_back({"elastic group", fmt::format("E h^3 / (12 (1 - nu^2) mu f L^3) = {:.3g}", elastic_group(scene))});
+          plan.numbers.push_back(
+              {"elastic group", fmt::format("E h^3 / (12 (1 - nu^2) mu f L^3) = {:.3g}", elastic_group(scene))});
       }
       if (scene.head.fixed)
         plan.skipped.push_back({"head's motion", "fixed; the force and torque that hold it are reported"});
@@ -64,17 +79,24 @@ namespace swimtwin
       const bool body_is_still = scene.head.fixed && !scene.tail;
       const bool moves_along   = scene.domain->moves_with_swimmer && !scene.tail;
       if (body_is_still || moves_along)
-        plan.skipped.push_back({"mesh motion", body_is_still ? "nothing moves" : "the domain moves with the rigid body"});
+        plan.skipped.push_back(
+            {"mesh motion", body_is_still ? "nothing moves" : "the domain moves with the rigid body"});
       else
       {
         plan.solved.push_back({"mesh motion", "an extension from the mesh as it was made: one factorisation per mesh"});
-        plan.solved.push_back({"remeshing", scene.numerics.remesh_every_steps > 0 ?
-                                              fmt::format("every {} steps, and below quality {}", scene.numerics.remesh_every_steps, scene.numerics.remesh_quality) :
-                                              fmt::format("only when an element's quality falls below {}", scene.numerics.remesh_quality)});
+        plan.solved.push_back(
+            {"remeshing",
+             scene.numerics.remesh_every_steps > 0
+                 ? fmt::format("every {} steps, and below quality {}", scene.numerics.remesh_every_steps,
+                               scene.numerics.remesh_quality)
+                 : fmt::format("only when an element's quality falls below {}", scene.numerics.remesh_quality)});
       }
       if (scene.numerics.reuse_factorization)
-        plan.skipped.push_back({"factorisations", "old factors precondition GMRES while that is cheaper than new ones"});
-      plan.skipped.push_back({"coupling iterations", fmt::format("a step ends when its estimated error is below {:.0e} body lengths", scene.numerics.coupling_tolerance)});
+        plan.skipped.push_back(
+            {"factorisations", "old factors precondition GMRES while that is cheaper than new ones"});
+      plan.skipped.push_back(
+          {"coupling iterations", fmt::format("a step ends when its estimated error is below {:.0e} body lengths",
+                                              scene.numerics.coupling_tolerance)});
     }
   } // namespace
 
@@ -83,7 +105,8 @@ namespace swimtwin
     if (!scene.fluid || scene.time.period_s <= 0.)
       return 0.;
     const double L = scene.body_length_m();
-    return 2. * std::numbers::pi * scene.fluid->density_kg_m3 * L * L / (scene.time.period_s * scene.fluid->viscosity_Pa_s);
+    return 2. * std::numbers::pi * scene.fluid->density_kg_m3 * L * L /
+           (scene.time.period_s * scene.fluid->viscosity_Pa_s);
   }
 
   double magnetic_group(const Scene &scene)
@@ -115,14 +138,16 @@ namespace swimtwin
     if (scene.output.fields_per_period == 0)
       plan.skipped.push_back({"field output", "[output] fields_per_period = 0"});
 
-    const Swimmer<2>               swimmer(scene, communicator);
+    const Swimmer<2>                swimmer(scene, communicator);
     std::unique_ptr<FluidDomain<2>> fluid;
     if (scene.fluid)
     {
-      const auto rest = swimmer.configuration_at_rest();
-      fluid = std::make_unique<FluidDomain<2>>(
-        scene,
-        make_fluid_mesh(*scene.domain, swimmer.surface(rest), swimmer.surface_mesh_size(), rest.pose, rest.pose, scene.numerics, communicator), rest.pose);
+      const auto rest    = swimmer.configuration_at_rest();
+      fluid              = std::make_unique<FluidDomain<2>>(scene,
+                                               make_fluid_mesh(*scene.domain, swimmer.surface(rest),
+                                                                            swimmer.surface_mesh_size(), rest.pose, rest.pose,
+                                                                            scene.numerics, communicator),
+                                               rest.pose);
       plan.n_fluid_cells = fluid->mesh().n_cells();
       plan.mesh_quality  = fluid->quality();
     }

@@ -33,19 +33,19 @@ namespace swimtwin
     const auto          field                = scene_.field(time);
 
     TrajectoryRow row;
-    row.time_s         = time;
-    row.head_x_m       = pose.center[0];
-    row.head_y_m       = pose.center[1];
-    row.head_angle_rad = pose.angle;
-    const auto tip     = model.swimmer().has_tail() ?
-                           model.swimmer().tail_positions(configuration)[model.swimmer().tail().axis_at_tip[2]] :
-                           pose.to_laboratory(Tensor<1, 2>({scene_.head.size_m[0] / 2, 0.}));
-    row.tail_tip_x_m   = tip[0];
-    row.tail_tip_y_m   = tip[1];
-    const double angle = model.swimmer().tail_angle(configuration);
-    row.tail_angle_rad = unwrap(angle, trajectory_.empty() ? pose.angle : trajectory_.back().tail_angle_rad);
-    row.bx_T           = field[0];
-    row.by_T           = field[1];
+    row.time_s              = time;
+    row.head_x_m            = pose.center[0];
+    row.head_y_m            = pose.center[1];
+    row.head_angle_rad      = pose.angle;
+    const auto tip          = model.swimmer().has_tail()
+                                  ? model.swimmer().tail_positions(configuration)[model.swimmer().tail().axis_at_tip[2]]
+                                  : pose.to_laboratory(Tensor<1, 2>({scene_.head.size_m[0] / 2, 0.}));
+    row.tail_tip_x_m        = tip[0];
+    row.tail_tip_y_m        = tip[1];
+    const double angle      = model.swimmer().tail_angle(configuration);
+    row.tail_angle_rad      = unwrap(angle, trajectory_.empty() ? pose.angle : trajectory_.back().tail_angle_rad);
+    row.bx_T                = field[0];
+    row.by_T                = field[1];
     row.magnetic_power_W_m  = balance.magnetic;
     row.external_power_W_m  = balance.gravity + balance.wall;
     row.dissipation_W_m     = balance.dissipation;
@@ -87,7 +87,8 @@ namespace swimtwin
       for (unsigned int a = 0; a < 6; ++a)
         for (unsigned int b = 0; b < 6; ++b)
           for (unsigned int i = 0; i < 2; ++i)
-            mass.emplace_back(2 * tail.mesh.cells[c][a] + i, 2 * tail.mesh.cells[c][b] + i, swimmer.elasticity().cell_mass(c, a, b));
+            mass.emplace_back(2 * tail.mesh.cells[c][a] + i, 2 * tail.mesh.cells[c][b] + i,
+                              swimmer.elasticity().cell_mass(c, a, b));
     set.tail_mass_m2.resize(2 * n, 2 * n);
     set.tail_mass_m2.setFromTriplets(mass.begin(), mass.end());
 
@@ -112,10 +113,10 @@ namespace swimtwin
   {
     std::vector<std::vector<double>> result;
     for (const auto &r : trajectory_)
-      result.push_back({r.time_s, r.head_x_m, r.head_y_m, r.head_angle_rad, r.tail_tip_x_m, r.tail_tip_y_m, r.tail_angle_rad,
-                        r.bx_T, r.by_T, r.magnetic_power_W_m, r.external_power_W_m, r.dissipation_W_m, r.elastic_energy_J_m,
-                        r.head_force_x_N_m, r.head_force_y_N_m, r.head_torque_N, double(r.coupling_iterations),
-                        double(r.n_unknowns), double(r.remeshed)});
+      result.push_back({r.time_s, r.head_x_m, r.head_y_m, r.head_angle_rad, r.tail_tip_x_m, r.tail_tip_y_m,
+                        r.tail_angle_rad, r.bx_T, r.by_T, r.magnetic_power_W_m, r.external_power_W_m, r.dissipation_W_m,
+                        r.elastic_energy_J_m, r.head_force_x_N_m, r.head_force_y_N_m, r.head_torque_N,
+                        double(r.coupling_iterations), double(r.n_unknowns), double(r.remeshed)});
     return result;
   }
 
@@ -123,8 +124,8 @@ namespace swimtwin
   {
     trajectory_.clear();
     for (const auto &r : rows)
-      trajectory_.push_back({r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8], r[9], r[10], r[11], r[12], r[13], r[14], r[15],
-                             int(r[16]), int(r[17]), r[18] != 0.});
+      trajectory_.push_back({r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8], r[9], r[10], r[11], r[12], r[13],
+                             r[14], r[15], int(r[16]), int(r[17]), r[18] != 0.});
     shapes_ = std::move(shapes);
   }
 } // namespace swimtwin

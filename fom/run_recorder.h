@@ -22,7 +22,7 @@ namespace swimtwin
     /// Flat copies for a checkpoint: rows of numbers.
     std::vector<std::vector<double>> rows() const;
     std::vector<std::vector<double>> shapes() const { return shapes_; }
-    void                             restore(const std::vector<std::vector<double>> &rows, std::vector<std::vector<double>> shapes);
+    void restore(const std::vector<std::vector<double>> &rows, std::vector<std::vector<double>> shapes);
 
   private:
     bool is_snapshot(int grid_step) const;

@@ -9,8 +9,9 @@ namespace swimtwin
 
   template <int dim>
   SimplexMesh<dim>::SimplexMesh(const SimplexSoup<dim> &soup, const MPI_Comm communicator)
-    : triangulation_(std::make_unique<parallel::shared::Triangulation<dim>>(
-        communicator, Triangulation<dim>::none, false, parallel::shared::Triangulation<dim>::Settings::partition_metis))
+      : triangulation_(std::make_unique<parallel::shared::Triangulation<dim>>(
+            communicator, Triangulation<dim>::none, false,
+            parallel::shared::Triangulation<dim>::Settings::partition_metis))
   {
     std::vector<CellData<dim>> cell_data;
     cell_data.reserve(soup.cells.size());
@@ -33,10 +34,10 @@ namespace swimtwin
       {
         std::array<unsigned int, 2> ends = {cell->line(l)->vertex_index(0), cell->line(l)->vertex_index(1)};
         std::sort(ends.begin(), ends.end());
-        const unsigned int line     = cell->line(l)->index();
-        edges_[line]                = ends;
-        cell_nodes[dim + 1 + l]     = n_vertices() + line;
-        edge_of_vertices_[ends]     = line;
+        const unsigned int line = cell->line(l)->index();
+        edges_[line]            = ends;
+        cell_nodes[dim + 1 + l] = n_vertices() + line;
+        edge_of_vertices_[ends] = line;
       }
       cells.push_back(cell_nodes);
       owned_.push_back(cell->is_locally_owned());
@@ -58,7 +59,7 @@ namespace swimtwin
     // Columns of the Jacobian, dx/dr and dx/ds, are linear; the determinant is quadratic in (r, s) and lies above its
     // smallest Bernstein coefficient.
     const auto determinant = [&](const double r, const double s) {
-      const double               l = 1. - r - s;
+      const double       l  = 1. - r - s;
       const Tensor<1, 2> dr = (4 * r - 1) * x[1] - (4 * l - 1) * Tensor<1, 2>(x[0]) + 4 * (l - r) * Tensor<1, 2>(x[3]) +
                               4 * s * (x[4] - x[5]);
       const Tensor<1, 2> ds = (4 * s - 1) * x[2] - (4 * l - 1) * Tensor<1, 2>(x[0]) + 4 * (l - s) * Tensor<1, 2>(x[5]) +
@@ -69,7 +70,7 @@ namespace swimtwin
     const double m01 = 2 * determinant(.5, 0) - .5 * (v0 + v1), m12 = 2 * determinant(.5, .5) - .5 * (v1 + v2),
                  m20      = 2 * determinant(0, .5) - .5 * (v2 + v0);
     const double smallest = std::min({v0, v1, v2, m01, m12, m20});
-    const double sides = (x[1] - x[0]).norm_square() + (x[2] - x[1]).norm_square() + (x[0] - x[2]).norm_square();
+    const double sides    = (x[1] - x[0]).norm_square() + (x[2] - x[1]).norm_square() + (x[0] - x[2]).norm_square();
     return 2. * std::sqrt(3.) * smallest / sides;
   }
 

@@ -22,7 +22,7 @@ namespace swimtwin
   template <int dim>
   struct SimplexSoup
   {
-    std::vector<dealii::Point<dim>>               vertices;
+    std::vector<dealii::Point<dim>>                vertices;
     std::vector<std::array<unsigned int, dim + 1>> cells; ///< positively oriented
   };
 
@@ -53,9 +53,9 @@ namespace swimtwin
 
   private:
     std::unique_ptr<dealii::parallel::shared::Triangulation<dim>> triangulation_; ///< on the heap: others point to it
-    std::vector<char>                                        owned_;
-    std::vector<std::array<unsigned int, 2>>                 edges_;
-    std::map<std::array<unsigned int, 2>, unsigned int>      edge_of_vertices_;
+    std::vector<char>                                             owned_;
+    std::vector<std::array<unsigned int, 2>>                      edges_;
+    std::map<std::array<unsigned int, 2>, unsigned int>           edge_of_vertices_;
   };
 
   /// The nodes of one cell, from positions of all nodes.

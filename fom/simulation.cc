@@ -22,9 +22,15 @@ namespace swimtwin
   {
     using Clock = std::chrono::steady_clock;
 
-    double seconds_since(const Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+    double seconds_since(const Clock::time_point start)
+    {
+      return std::chrono::duration<double>(Clock::now() - start).count();
+    }
 
-    double cpu_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
+    double cpu_seconds()
+    {
+      return double(std::clock()) / CLOCKS_PER_SEC;
+    }
 
     double peak_memory_MB()
     {
@@ -38,9 +44,9 @@ namespace swimtwin
     {
     public:
       Run(const Scene &scene, const SimulationOptions &options, const MPI_Comm communicator)
-        : scene_(scene), options_(options), communicator_(communicator),
-          is_writer_(dealii::Utilities::MPI::this_mpi_process(communicator) == 0), checkpoint_file_(options.folder / "checkpoint.h5"),
-          model_(scene, communicator), recorder_(scene)
+          : scene_(scene), options_(options), communicator_(communicator),
+            is_writer_(dealii::Utilities::MPI::this_mpi_process(communicator) == 0),
+            checkpoint_file_(options.folder / "checkpoint.h5"), model_(scene, communicator), recorder_(scene)
       {
         if (scene.output.fields_per_period > 0)
           fields_.emplace(options.folder / "fields");
@@ -72,7 +78,8 @@ namespace swimtwin
       void note(const int grid_step)
       {
         recorder_.note(model_, grid_step);
-        if (fields_ && grid_step % std::max(1, scene_.time.steps_per_period / scene_.output.fields_per_period) == 0 && is_writer_)
+        if (fields_ && grid_step % std::max(1, scene_.time.steps_per_period / scene_.output.fields_per_period) == 0 &&
+            is_writer_)
           fields_->write(model_);
       }
 
@@ -91,13 +98,14 @@ namespace swimtwin
 
       Provenance provenance() const
       {
-        return {SWIMTWIN_VERSION, options_.command_line, scene_.text, scene_.hash, utc_time_now(), wall_before_ + seconds_since(start_)};
+        return {SWIMTWIN_VERSION, options_.command_line, scene_.text,
+                scene_.hash,      utc_time_now(),        wall_before_ + seconds_since(start_)};
       }
 
       void save()
       {
-        const Checkpoint checkpoint{model_.state(), recorder_.rows(), recorder_.shapes(), wall_before_ + seconds_since(start_),
-                                    cpu_before_ + cpu_seconds()};
+        const Checkpoint checkpoint{model_.state(), recorder_.rows(), recorder_.shapes(),
+                                    wall_before_ + seconds_since(start_), cpu_before_ + cpu_seconds()};
         if (is_writer_)
           write_checkpoint(checkpoint_file_, checkpoint, provenance());
       }
@@ -123,17 +131,19 @@ namespace swimtwin
         summary.n_steps                 = counts.n_steps;
         summary.n_linear_solves         = linear.n_solves;
         summary.n_factorizations        = linear.n_factorizations;
-        summary.coupling_iterations_mean = counts.n_steps > 0 ? double(counts.n_coupling_iterations) / counts.n_steps : 0.;
-        summary.n_remeshes              = counts.n_remeshes;
-        summary.n_step_halvings         = counts.n_step_halvings;
-        summary.wall_time_s             = wall_before_ + seconds_since(start_);
-        summary.cpu_time_s              = cpu_before_ + cpu_seconds();
-        summary.peak_memory_MB          = peak_memory_MB();
-        summary.cpu_time_of_part_s      = {{"factorization", linear.factorization_cpu_s},
-                                           {"krylov_solve", linear.solve_cpu_s},
-                                           {"assembly", counts.coupling_cpu_s - linear.factorization_cpu_s - linear.solve_cpu_s},
-                                           {"mesh_motion", counts.mesh_motion_cpu_s},
-                                           {"remeshing", counts.remeshing_cpu_s}};
+        summary.coupling_iterations_mean =
+            counts.n_steps > 0 ? double(counts.n_coupling_iterations) / counts.n_steps : 0.;
+        summary.n_remeshes         = counts.n_remeshes;
+        summary.n_step_halvings    = counts.n_step_halvings;
+        summary.wall_time_s        = wall_before_ + seconds_since(start_);
+        summary.cpu_time_s         = cpu_before_ + cpu_seconds();
+        summary.peak_memory_MB     = peak_memory_MB();
+        summary.cpu_time_of_part_s = {
+            {"factorization", linear.factorization_cpu_s},
+            {"krylov_solve", linear.solve_cpu_s},
+            {"assembly", counts.coupling_cpu_s - linear.factorization_cpu_s - linear.solve_cpu_s},
+            {"mesh_motion", counts.mesh_motion_cpu_s},
+            {"remeshing", counts.remeshing_cpu_s}};
         return summary;
       }
 
@@ -162,7 +172,7 @@ namespace swimtwin
       MPI_Comm                   communicator_;
       bool                       is_writer_;
       std::filesystem::path      checkpoint_file_;
-      Clock::time_point          start_ = Clock::now();
+      Clock::time_point          start_       = Clock::now();
       double                     wall_before_ = 0., cpu_before_ = 0.;
       FullOrderModel<2>          model_;
       RunRecorder                recorder_;
@@ -176,5 +186,8 @@ namespace swimtwin
     return Run(scene, options, communicator).finish();
   }
 
-  std::vector<std::string> simulation_results() { return {"trajectory.csv", "summary.json", "snapshots.h5"}; }
+  std::vector<std::string> simulation_results()
+  {
+    return {"trajectory.csv", "summary.json", "snapshots.h5"};
+  }
 } // namespace swimtwin

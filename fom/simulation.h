@@ -16,7 +16,7 @@ namespace swimtwin
   struct SimulationProgress
   {
     int    steps_done, steps_total;
-    double wall_time_s; ///< since the start of this process's part of the run
+    double wall_time_s;     ///< since the start of this process's part of the run
     int    steps_done_here; ///< without those done before a resume
   };
 

@@ -3,12 +3,11 @@
 
 #include <fom/isoparametric_cell.h>
 
-
 namespace swimtwin
 {
   /// Local unknowns of a fluid cell: velocity component c of node a at a * dim + c, then the vertices' pressures.
   template <int dim>
-  constexpr unsigned int n_fluid_cell_dofs = n_cell_nodes<dim> * dim + dim + 1;
+  constexpr unsigned int n_fluid_cell_dofs = n_cell_nodes<dim> *dim + dim + 1;
 
   template <int dim>
   using FluidCellMatrix = std::array<std::array<double, n_fluid_cell_dofs<dim>>, n_fluid_cell_dofs<dim>>;

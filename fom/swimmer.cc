@@ -15,20 +15,23 @@ namespace swimtwin
   }
 
   template <int dim>
-  Swimmer<dim>::Swimmer(const Scene &scene, const MPI_Comm communicator) : scene_(scene), body_length_(scene.body_length_m())
+  Swimmer<dim>::Swimmer(const Scene &scene, const MPI_Comm communicator)
+      : scene_(scene), body_length_(scene.body_length_m())
   {
     const SwimmerOutline outline = make_outline(scene.head, scene.tail, scene.numerics);
     surface_at_rest_             = outline.surface();
     tail_node_of_surface_.assign(surface_at_rest_.size(), -1);
     for (unsigned int k = 0; k < surface_at_rest_.size(); k += 2)
-      surface_mesh_size_.push_back(.5 * (surface_at_rest_[k].distance(surface_at_rest_[(k + 2) % surface_at_rest_.size()]) +
-                                         surface_at_rest_[k].distance(surface_at_rest_[(k + surface_at_rest_.size() - 2) % surface_at_rest_.size()])));
+      surface_mesh_size_.push_back(
+          .5 * (surface_at_rest_[k].distance(surface_at_rest_[(k + 2) % surface_at_rest_.size()]) +
+                surface_at_rest_[k].distance(
+                    surface_at_rest_[(k + surface_at_rest_.size() - 2) % surface_at_rest_.size()])));
     if (!scene.tail)
       return;
 
-    tail_       = std::make_unique<TailMesh<dim>>(make_tail_mesh(outline, scene.numerics, communicator));
-    elasticity_ = std::make_unique<ElasticTail<dim>>(
-      tail_->mesh, make_law<dim>(scene.tail->law, lame_constants(scene.tail->young_modulus_Pa, scene.tail->poisson_ratio)));
+    tail_                    = std::make_unique<TailMesh<dim>>(make_tail_mesh(outline, scene.numerics, communicator));
+    const LameConstants lame = lame_constants(scene.tail->young_modulus_Pa, scene.tail->poisson_ratio);
+    elasticity_              = std::make_unique<ElasticTail<dim>>(tail_->mesh, make_law<dim>(scene.tail->law, lame));
     const unsigned int first = outline.upper_head.size() - 1;
     for (unsigned int i = 0; i < tail_->surface_nodes.size(); ++i)
       tail_node_of_surface_[first + i] = tail_->surface_nodes[i];
@@ -83,7 +86,8 @@ namespace swimtwin
     const auto           x = tail_positions(configuration);
     NodalField<dim>      w;
     for (unsigned int a = 0; a < x.size(); ++a)
-      w.push_back(rates.velocity + rotational_velocity<dim>(rates.omega, x[a] - configuration.pose.center) + R * rates.shape_rate[a]);
+      w.push_back(rates.velocity + rotational_velocity<dim>(rates.omega, x[a] - configuration.pose.center) +
+                  R * rates.shape_rate[a]);
     return w;
   }
 
@@ -150,9 +154,10 @@ namespace swimtwin
     if (!has_tail())
       return configuration.pose.angle;
     const auto &[before, middle, tip] = tail_->axis_at_tip;
-    const auto position               = [&](const unsigned int node) { return tail_->mesh.nodes[node] + configuration.shape[node]; };
+    const auto position = [&](const unsigned int node) { return tail_->mesh.nodes[node] + configuration.shape[node]; };
     // Derivative at its end of the quadratic through the last edge of the axis, relative to the head.
-    const Tensor<1, dim> tangent = 3. * position(tip) - 4. * Tensor<1, dim>(position(middle)) + Tensor<1, dim>(position(before));
+    const Tensor<1, dim> tangent =
+        3. * position(tip) - 4. * Tensor<1, dim>(position(middle)) + Tensor<1, dim>(position(before));
     return configuration.pose.angle + std::atan2(tangent[1], tangent[0]);
   }
 

@@ -49,10 +49,10 @@ namespace swimtwin
     bool                    is_clamped(const unsigned int tail_node) const { return is_clamped_[tail_node]; }
 
     /// Surface nodes: position at rest (head frame), and the tail's node there, or -1 on the bare head.
-    unsigned int                  n_surface_nodes() const { return surface_at_rest_.size(); }
-    const dealii::Point<dim>     &surface_at_rest(const unsigned int k) const { return surface_at_rest_[k]; }
-    int                           tail_node(const unsigned int k) const { return tail_node_of_surface_[k]; }
-    const std::vector<double>    &surface_mesh_size() const { return surface_mesh_size_; }
+    unsigned int               n_surface_nodes() const { return surface_at_rest_.size(); }
+    const dealii::Point<dim>  &surface_at_rest(const unsigned int k) const { return surface_at_rest_[k]; }
+    int                        tail_node(const unsigned int k) const { return tail_node_of_surface_[k]; }
+    const std::vector<double> &surface_mesh_size() const { return surface_mesh_size_; }
 
     RigidPose<dim>                  pose_at_rest() const;
     Configuration<dim>              configuration_at_rest() const;
@@ -78,13 +78,13 @@ namespace swimtwin
   private:
     dealii::Tensor<1, dim> effective_gravity(double body_density_kg_m3, double time_s) const;
 
-    const Scene                           &scene_;
-    std::unique_ptr<TailMesh<dim>>         tail_;
-    std::unique_ptr<ElasticTail<dim>>      elasticity_;
-    std::vector<dealii::Point<dim>>        surface_at_rest_;
-    std::vector<int>                       tail_node_of_surface_;
-    std::vector<double>                    surface_mesh_size_;
-    std::vector<char>                      is_clamped_;
-    double                                 body_length_;
+    const Scene                      &scene_;
+    std::unique_ptr<TailMesh<dim>>    tail_;
+    std::unique_ptr<ElasticTail<dim>> elasticity_;
+    std::vector<dealii::Point<dim>>   surface_at_rest_;
+    std::vector<int>                  tail_node_of_surface_;
+    std::vector<double>               surface_mesh_size_;
+    std::vector<char>                 is_clamped_;
+    double                            body_length_;
   };
 } // namespace swimtwin

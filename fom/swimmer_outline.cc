@@ -51,8 +51,8 @@ namespace swimtwin
 
     HeadShapeCurves head_curves(const Head &head, const double root_half_height)
     {
-      return head.shape == HeadShape::rectangle ? rectangle_curves(head.size_m, root_half_height) :
-                                                  ellipse_curves(head.size_m, root_half_height);
+      return head.shape == HeadShape::rectangle ? rectangle_curves(head.size_m, root_half_height)
+                                                : ellipse_curves(head.size_m, root_half_height);
     }
 
     /// Upper side of the tail from the root to the tip on the axis.

@@ -8,11 +8,12 @@
 
 namespace swimtwin
 {
-  /// Nodes in the head frame (origin at the head's centre, tail along +x), mirror symmetric about y = 0. Every list is a
-  /// quadratic curve mesh: vertex, midpoint, vertex, ... Lists that meet repeat the shared vertex.
+  /// Nodes in the head frame (origin at the head's centre, tail along +x), mirror symmetric about y = 0. Every list is
+  /// a quadratic curve mesh: vertex, midpoint, vertex, ... Lists that meet repeat the shared vertex.
   struct SwimmerOutline
   {
-    std::vector<dealii::Point<2>> upper_head; ///< nose to the upper end of the tail's root (without a tail: to the back)
+    std::vector<dealii::Point<2>>
+        upper_head; ///< nose to the upper end of the tail's root (without a tail: to the back)
     std::vector<dealii::Point<2>> upper_side; ///< root's upper end to the tip; empty without a tail
     std::vector<dealii::Point<2>> upper_root; ///< axis to the root's upper end, along the head's surface
     SizeField                     size;       ///< wanted edge length (m), head frame
@@ -25,5 +26,8 @@ namespace swimtwin
   SwimmerOutline make_outline(const Head &head, const std::optional<Tail> &tail, const Numerics &numerics);
 
   /// Reflection at y = 0.
-  inline dealii::Point<2> mirrored(const dealii::Point<2> &x) { return {x[0], -x[1]}; }
+  inline dealii::Point<2> mirrored(const dealii::Point<2> &x)
+  {
+    return {x[0], -x[1]};
+  }
 } // namespace swimtwin

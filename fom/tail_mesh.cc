@@ -96,8 +96,8 @@ namespace swimtwin
       root.push_back(n_axis + n_side - 2 + (n_root - 1 - i)); // axis -> root end
 
     std::vector<unsigned int> image;
-    TailMesh<2>               tail{SimplexMesh<2>(reflect(triangulate(half, communicator), n_axis, image), communicator), {}, {}, {}};
-    SimplexMesh<2>           &mesh = tail.mesh;
+    TailMesh<2> tail{SimplexMesh<2>(reflect(triangulate(half, communicator), n_axis, image), communicator), {}, {}, {}};
+    SimplexMesh<2> &mesh = tail.mesh;
 
     std::vector<unsigned int> upper, lower, upper_root, lower_root;
     curve_edges(mesh, outline.upper_side, side, upper);

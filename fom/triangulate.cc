@@ -130,7 +130,10 @@ namespace swimtwin
       return read_mesh(points, scale);
     }
 
-    Point<2> reflected(const Point<2> &x) { return {x[0], -x[1]}; }
+    Point<2> reflected(const Point<2> &x)
+    {
+      return {x[0], -x[1]};
+    }
 
     /// Reflect a polygon and walk it backwards, so that its orientation and its first point stay.
     std::vector<Point<2>> reflected(const std::vector<Point<2>> &polygon)
@@ -150,7 +153,7 @@ namespace swimtwin
 
       std::vector<unsigned int> original(soup.vertices.size());
       std::iota(original.begin(), original.end(), 0);
-      unsigned int first = 0;
+      unsigned int first     = 0;
       const auto   walk_back = [&](const unsigned int n) {
         for (unsigned int i = 1; i < n; ++i)
           original[first + i] = first + n - i;
@@ -220,8 +223,8 @@ namespace swimtwin
 
   SimplexSoup<2> triangulate(const PlanarRegion &region, const MPI_Comm communicator)
   {
-    SimplexSoup<2>                  soup;
-    std::string                     message;
+    SimplexSoup<2>                     soup;
+    std::string                        message;
     std::vector<std::array<double, 2>> coordinates;
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
     {
@@ -240,5 +243,8 @@ namespace swimtwin
     return soup;
   }
 
-  std::string gmsh_version() { return GMSH_API_VERSION; }
+  std::string gmsh_version()
+  {
+    return GMSH_API_VERSION;
+  }
 } // namespace swimtwin

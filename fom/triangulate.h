@@ -11,8 +11,8 @@ namespace swimtwin
   {
     std::vector<dealii::Point<2>>              outer; ///< counter-clockwise
     std::vector<std::vector<dealii::Point<2>>> holes;
-    SizeField                                  size; ///< wanted edge length (m) inside; the polygons are kept edge for edge
-    bool mirror = false; ///< give the reflection (at y = 0) of the mesh that the reflected region would get
+    SizeField size;           ///< wanted edge length (m) inside; the polygons are kept edge for edge
+    bool      mirror = false; ///< give the reflection (at y = 0) of the mesh that the reflected region would get
   };
 
   /// The polygons' points come first and unchanged: outer, then each hole. Collective: rank 0 meshes and tells the

@@ -40,7 +40,7 @@ namespace swimtwin
 
   TEST(Bdf2, IsExactForQuadratics)
   {
-    const auto y = [](const double t) { return 3. - 2. * t + 5. * t * t; };
+    const auto y     = [](const double t) { return 3. - 2. * t + 5. * t * t; };
     const auto slope = [](const double t) { return -2. + 10. * t; };
     for (const double ratio : {0.5, 1., 2., 0.3})
     {

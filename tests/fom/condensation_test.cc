@@ -60,10 +60,10 @@ namespace swimtwin
 
   TEST(Condensation, GivesTheDenseTripleProduct)
   {
-    TwoCells                cells;
-    const auto             &map = cells.map;
-    Condensation<2>         condensation(map);
-    LinearSystem            system(MPI_COMM_WORLD, {});
+    TwoCells        cells;
+    const auto     &map = cells.map;
+    Condensation<2> condensation(map);
+    LinearSystem    system(MPI_COMM_WORLD, {});
     for (const auto &rows : cells.rows)
       condensation.add_cell(rows);
     const auto entry = condensation.add_entry(map.first_head_unknown() + 2);

@@ -1,5 +1,6 @@
 #include <fom/elastic_tail.h>
-#include <fom/tail_mesh.h>
+#include <fom/swimmer.h>
+#include <fom/swimmer_outline.h>
 #include <tests/fom/random_tensors.h>
 #include <tests/fom/shipped_scene.h>
 
@@ -19,13 +20,15 @@ namespace swimtwin
     class ElasticTailTest : public ::testing::Test
     {
     protected:
-      Scene scene = shipped_scene("reference-2d-casefile", {"numerics.mesh_size_m=5e-4", "numerics.mesh_size_corner_m=8e-5"});
-      SwimmerOutline      outline = make_outline(scene.head, scene.tail, scene.numerics);
-      TailMesh<2>         tail    = make_tail_mesh(outline, scene.numerics, MPI_COMM_WORLD);
-      const LameConstants lame    = lame_constants(scene.tail->young_modulus_Pa, scene.tail->poisson_ratio);
-      ElasticTail<2>      elasticity{tail.mesh, make_law<2>(MaterialModel::st_venant_kirchhoff, lame)};
-      const double        young = scene.tail->young_modulus_Pa, length = scene.tail->length_m;
-      RandomNumbers       random;
+      Scene scene =
+          shipped_scene("reference-2d-casefile", {"numerics.mesh_size_m=5e-4", "numerics.mesh_size_corner_m=8e-5"});
+      SwimmerOutline        outline = make_outline(scene.head, scene.tail, scene.numerics);
+      Swimmer<2>            swimmer{scene, MPI_COMM_WORLD};
+      const TailMesh<2>    &tail       = swimmer.tail();
+      const ElasticTail<2> &elasticity = swimmer.elasticity();
+      const LameConstants   lame       = lame_constants(scene.tail->young_modulus_Pa, scene.tail->poisson_ratio);
+      const double          young = scene.tail->young_modulus_Pa, length = scene.tail->length_m;
+      RandomNumbers         random;
 
       /// Bent by some tenths of its length, with a little noise so that nothing is special.
       NodalField<2> bent()
@@ -34,7 +37,8 @@ namespace swimtwin
         for (const auto &X : tail.mesh.nodes)
         {
           const double s = X[0] / length;
-          d.push_back(Tensor<1, 2>({-0.2 * length * s * s - 0.4 * s * X[1], 0.3 * length * s * s}) + 2e-6 * random.vector<2>());
+          d.push_back(Tensor<1, 2>({-0.2 * length * s * s - 0.4 * s * X[1], 0.3 * length * s * s}) +
+                      2e-6 * random.vector<2>());
         }
         return d;
       }
@@ -58,6 +62,13 @@ namespace swimtwin
             f[tail.mesh.cells[c][i / 2]][i % 2] += cell[i];
         }
         return f;
+      }
+
+      /// With both displacements equal the tangent is the exact one.
+      void force_and_tangent(const unsigned int cell, const NodalField<2> &d, ElasticTail<2>::CellForce &f,
+                             ElasticTail<2>::CellTangent &K) const
+      {
+        elasticity.cell_force_and_tangent(cell, d, d, f, K);
       }
 
       double sum_of_norms(const NodalField<2> &f) const
@@ -116,12 +127,13 @@ namespace swimtwin
     for (unsigned int c = 0; c < tail.mesh.n_cells(); c += 7)
     {
       elasticity.cell_force(c, d, other);
-      elasticity.cell_force_and_tangent(c, d, f, K);
+      force_and_tangent(c, d, f, K);
       for (unsigned int i = 0; i < f.size(); ++i)
-        EXPECT_NEAR(f[i], other[i], 1e-12 * young * 1e-4); // sums in another order; a force is at most about young * cell size
+        EXPECT_NEAR(f[i], other[i],
+                    1e-12 * young * 1e-4); // sums in another order; a force is at most about young * cell size
       for (unsigned int j = 0; j < f.size(); ++j)
       {
-        constexpr double h = 1e-6; // m, a hundredth of a cell
+        constexpr double h             = 1e-6; // m, a hundredth of a cell
         const auto       shifted_force = [&](const double shift) {
           NodalField<2>             moved = d;
           ElasticTail<2>::CellForce result;
@@ -144,14 +156,15 @@ namespace swimtwin
     ElasticTail<2>::CellTangent K;
     for (unsigned int c = 0; c < tail.mesh.n_cells(); ++c)
     {
-      elasticity.cell_force_and_tangent(c, d, f, K);
+      force_and_tangent(c, d, f, K);
       for (unsigned int i = 0; i < f.size(); ++i)
         for (unsigned int j = 0; j < i; ++j)
           EXPECT_NEAR(K[i][j], K[j][i], 1e-12 * young);
     }
   }
 
-  // F is a rotation up to the rounding of displacements over cells: 1e-16 * 8 mm / 0.05 mm ~ 2e-14, times a safety of 50.
+  // F is a rotation up to the rounding of displacements over cells: 1e-16 * 8 mm / 0.05 mm ~ 2e-14, times a safety
+  // of 50.
   TEST_F(ElasticTailTest, RigidMotionCostsNothing)
   {
     constexpr double strain = 1e-12;
@@ -184,8 +197,10 @@ namespace swimtwin
   TEST_F(ElasticTailTest, VolumeIsTheAreaOfTrapezoidAndHalfDisc)
   {
     const double r = scene.tail->tip_height_m / 2, straight = length - r;
-    const double exact     = straight * (scene.tail->root_height_m + scene.tail->tip_height_m) / 2 + std::numbers::pi * r * r / 2;
-    const double half_edge = outline.size({outline.tip()[0] - r, r}) / 2 / r; // the longest edge of the arc, half its angle
+    const double exact =
+        straight * (scene.tail->root_height_m + scene.tail->tip_height_m) / 2 + std::numbers::pi * r * r / 2;
+    const double half_edge =
+        outline.size({outline.tip()[0] - r, r}) / 2 / r; // the longest edge of the arc, half its angle
     EXPECT_NEAR(elasticity.volume(), exact, r * r * std::numbers::pi / 60 * std::pow(half_edge, 4));
     double sum = 0.;
     for (const auto volume : elasticity.volume_of_node())
@@ -214,18 +229,20 @@ namespace swimtwin
   TEST_F(ElasticTailTest, UniformStrainLeavesInteriorNodesInBalance)
   {
     Tensor<2, 2> gradient;
-    gradient[0] = Tensor<1, 2>({0.1, -0.05});
-    gradient[1] = Tensor<1, 2>({0.2, 0.15});
-    const auto    d = linear(gradient, Tensor<1, 2>({1e-3, 2e-3}));
-    const auto    f = force(d);
+    gradient[0]              = Tensor<1, 2>({0.1, -0.05});
+    gradient[1]              = Tensor<1, 2>({0.2, 0.15});
+    const auto             d = linear(gradient, Tensor<1, 2>({1e-3, 2e-3}));
+    const auto             f = force(d);
     std::set<unsigned int> boundary(tail.surface_nodes.begin(), tail.surface_nodes.end());
     boundary.insert(tail.clamped_nodes.begin(), tail.clamped_nodes.end());
     for (unsigned int a = 0; a < f.size(); ++a)
       if (boundary.count(a) == 0)
       {
-        EXPECT_LE(f[a].norm(), 1e-12 * young * 1e-3) << "node " << a; // rounding of F (2e-14) times stress times cell size
+        EXPECT_LE(f[a].norm(), 1e-12 * young * 1e-3)
+            << "node " << a; // rounding of F (2e-14) times stress times cell size
       }
-    const double density = make_law<2>(MaterialModel::st_venant_kirchhoff, lame)->energy(Tensor<2, 2>(unit_symmetric_tensor<2>()) + gradient);
+    const double density = make_law<2>(MaterialModel::st_venant_kirchhoff, lame)
+                               ->energy(Tensor<2, 2>(unit_symmetric_tensor<2>()) + gradient);
     EXPECT_NEAR(elasticity.energy(d), density * elasticity.volume(), 1e-12 * density * elasticity.volume());
   }
 

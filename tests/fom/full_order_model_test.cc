@@ -14,9 +14,10 @@ namespace swimtwin
     /// The reference swimmer on a mesh as coarse as it gets, solved to the last digits.
     std::vector<std::string> coarse_and_tight(std::vector<std::string> more = {})
     {
-      std::vector<std::string> overrides = {"numerics.mesh_size_m=6e-4",      "numerics.mesh_size_corner_m=2e-4", "numerics.mesh_size_far_m=4e-3",
-                                            "numerics.mesh_growth=0.5",       "numerics.coupling_tolerance=1e-11", "numerics.linear_tolerance=1e-13",
-                                            "time.steps_per_period=20",       "fluid.inertia=none"};
+      std::vector<std::string> overrides = {"numerics.mesh_size_m=6e-4",         "numerics.mesh_size_corner_m=2e-4",
+                                            "numerics.mesh_size_far_m=4e-3",     "numerics.mesh_growth=0.5",
+                                            "numerics.coupling_tolerance=1e-11", "numerics.linear_tolerance=1e-13",
+                                            "time.steps_per_period=20",          "fluid.inertia=none"};
       overrides.insert(overrides.end(), more.begin(), more.end());
       return overrides;
     }
@@ -46,8 +47,8 @@ namespace swimtwin
     }
   } // namespace
 
-  // One weak form tested with its own solution. The tail is stiff: an iterate that is off by the coupling's tolerance of
-  // 1e-11 lengths is off by up to 1e-11 L / h ~ 1e-9 in strain, against strains of 1e-2: 1e-6 covers it.
+  // One weak form tested with its own solution. The tail is stiff: an iterate that is off by the coupling's tolerance
+  // of 1e-11 lengths is off by up to 1e-11 L / h ~ 1e-9 in strain, against strains of 1e-2: 1e-6 covers it.
   TEST(FullOrderModel, PowersOfAConvergedStepBalance)
   {
     const Scene       scene = shipped_scene("reference-2d-casefile", coarse_and_tight());
@@ -80,7 +81,7 @@ namespace swimtwin
 
   TEST(FullOrderModel, WithoutAFieldNothingMoves)
   {
-    const Scene       scene = shipped_scene("reference-2d-casefile", coarse_and_tight({"field.bx_T=0.0", "field.by_T=0.0"}));
+    const Scene scene = shipped_scene("reference-2d-casefile", coarse_and_tight({"field.bx_T=0.0", "field.by_T=0.0"}));
     FullOrderModel<2> model(scene, MPI_COMM_WORLD);
     const auto        rest = model.now().configuration;
     model.advance();
@@ -91,9 +92,10 @@ namespace swimtwin
   // preconditioned norms: the tolerances of the iterations are what is left, 1e-11 and 1e-13 per step.
   TEST(FullOrderModel, ScalingViscosityStiffnessAndMagnetizationTogetherChangesNothing)
   {
-    const Scene once = shipped_scene("reference-2d-casefile", coarse_and_tight()),
-                twice =
-                  shipped_scene("reference-2d-casefile", coarse_and_tight({"fluid.viscosity_Pa_s=3.04", "tail.young_modulus_Pa=16e4", "head.magnetization_A_m=4e5"}));
+    const Scene once  = shipped_scene("reference-2d-casefile", coarse_and_tight()),
+                twice = shipped_scene("reference-2d-casefile",
+                                      coarse_and_tight({"fluid.viscosity_Pa_s=3.04", "tail.young_modulus_Pa=16e4",
+                                                        "head.magnetization_A_m=4e5"}));
     FullOrderModel<2> a(once, MPI_COMM_WORLD), b(twice, MPI_COMM_WORLD);
     for (int step = 0; step < 4; ++step)
     {

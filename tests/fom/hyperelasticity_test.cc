@@ -13,8 +13,8 @@ namespace swimtwin
 
     const LameConstants lame = lame_constants(2.5, 0.35);
 
-    /// Central differences of step h err by h^2 times a third derivative (below 1e3 stiffnesses while det F > 0.4) and by
-    /// rounding over h (1e-16 / 1e-5): 1e-7 relative to the stiffness.
+    /// Central differences of step h err by h^2 times a third derivative (below 1e3 stiffnesses while det F > 0.4) and
+    /// by rounding over h (1e-16 / 1e-5): 1e-7 relative to the stiffness.
     constexpr double step = 1e-5, difference_tolerance = 1e-7;
 
     /// Call a check with both laws in both dimensions, at ten random deformations each.
@@ -24,7 +24,8 @@ namespace swimtwin
       const auto in_dimension = [&]<int dim>(std::integral_constant<int, dim>) {
         for (const auto model : {MaterialModel::st_venant_kirchhoff, MaterialModel::neo_hookean})
         {
-          SCOPED_TRACE((model == MaterialModel::neo_hookean ? "neo-Hookean, " : "St Venant-Kirchhoff, ") + std::to_string(dim) + "D");
+          SCOPED_TRACE((model == MaterialModel::neo_hookean ? "neo-Hookean, " : "St Venant-Kirchhoff, ") +
+                       std::to_string(dim) + "D");
           const auto    law = make_law<dim>(model, lame);
           RandomNumbers random;
           for (int sample = 0; sample < 10; ++sample)
@@ -62,7 +63,8 @@ namespace swimtwin
   {
     for_all_laws([]<int dim>(const HyperelasticLaw<dim> &law, const Tensor<2, dim> &F, RandomNumbers &) {
       const auto response = law.respond(F);
-      EXPECT_LE((response.stress - law.stress(F)).norm(), 1e-14 * response.stress.norm()); // the same sums, ordered otherwise
+      EXPECT_LE((response.stress - law.stress(F)).norm(),
+                1e-14 * response.stress.norm()); // the same sums, ordered otherwise
       for (int k = 0; k < dim; ++k)
         for (int l = 0; l < dim; ++l)
         {
@@ -70,7 +72,8 @@ namespace swimtwin
           const auto difference = (law.stress(F + dF) - law.stress(F - dF)) / (2. * step);
           for (int i = 0; i < dim; ++i)
             for (int j = 0; j < dim; ++j)
-              EXPECT_NEAR(response.tangent[i][j][k][l], difference[i][j], difference_tolerance * (lame.lambda_Pa + lame.mu_Pa));
+              EXPECT_NEAR(response.tangent[i][j][k][l], difference[i][j],
+                          difference_tolerance * (lame.lambda_Pa + lame.mu_Pa));
         }
     });
   }
@@ -108,9 +111,9 @@ namespace swimtwin
   // Uniaxial stress in 3D: stretch 1 / E along, -nu / E across.
   TEST(Hyperelasticity, LameConstantsAreThoseOfYoungAndPoisson)
   {
-    constexpr double     young = 2.5, poisson = 0.35;
-    Tensor<2, 3>         e;
-    e[0][0]              = 1. / young;
+    constexpr double young = 2.5, poisson = 0.35;
+    Tensor<2, 3>     e;
+    e[0][0] = 1. / young;
     e[1][1] = e[2][2]    = -poisson / young;
     const double trace_e = trace(e);
     EXPECT_NEAR(lame.lambda_Pa * trace_e + 2. * lame.mu_Pa * e[0][0], 1., 1e-14);

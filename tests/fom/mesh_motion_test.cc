@@ -28,12 +28,12 @@ namespace swimtwin
     protected:
       explicit SwimmerInABox(Scene s) : scene(std::move(s)) {}
 
-      Scene              scene;
-      Swimmer<2>         swimmer{scene, MPI_COMM_WORLD};
-      Configuration<2>   rest = swimmer.configuration_at_rest();
-      FluidMesh<2>       fluid = make_fluid_mesh(*scene.domain, swimmer.surface(rest), swimmer.surface_mesh_size(), rest.pose, rest.pose,
-                                                 scene.numerics, MPI_COMM_WORLD);
-      NodeNumbering<2>   numbering{fluid.mesh, true};
+      Scene            scene;
+      Swimmer<2>       swimmer{scene, MPI_COMM_WORLD};
+      Configuration<2> rest = swimmer.configuration_at_rest();
+      FluidMesh<2> fluid = make_fluid_mesh(*scene.domain, swimmer.surface(rest), swimmer.surface_mesh_size(), rest.pose,
+                                           rest.pose, scene.numerics, MPI_COMM_WORLD);
+      NodeNumbering<2> numbering{fluid.mesh, true};
 
       std::vector<unsigned int> walls() const
       {
@@ -61,7 +61,10 @@ namespace swimtwin
           x[i] += extended[i];
         return worst_quality(fluid.mesh, x);
       }
-      MeshExtension<2> extension(const MeshMotion law) { return {fluid.mesh, numbering, law, fluid.surface_nodes, walls()}; }
+      MeshExtension<2> extension(const MeshMotion law)
+      {
+        return {fluid.mesh, numbering, law, fluid.surface_nodes, walls()};
+      }
 
       /// In steps of 2.5 degrees.
       double first_inversion(const MeshMotion law)
@@ -82,8 +85,8 @@ namespace swimtwin
       }
     };
 
-    const std::vector<std::string> coarse = {"numerics.mesh_size_m=4e-4", "numerics.mesh_size_corner_m=1e-4", "numerics.mesh_size_far_m=4e-3",
-                                             "numerics.mesh_growth=0.3"};
+    const std::vector<std::string> coarse = {"numerics.mesh_size_m=4e-4", "numerics.mesh_size_corner_m=1e-4",
+                                             "numerics.mesh_size_far_m=4e-3", "numerics.mesh_growth=0.3"};
 
     /// Whose tip swings past a wall, 2.25 mm away at a quarter turn.
     class MeshMotionTest : public SwimmerInABox
@@ -112,7 +115,8 @@ namespace swimtwin
       displacement.push_back(H * fluid.mesh.nodes[node]);
     const auto extended = harmonic.extend(displacement);
     for (unsigned int vertex = 0; vertex < fluid.mesh.n_vertices(); ++vertex)
-      EXPECT_LE((extended[vertex] - H * fluid.mesh.nodes[vertex]).norm(), 1e-11 * 20e-3); // condition 1e4 times 1e-16, with room
+      EXPECT_LE((extended[vertex] - H * fluid.mesh.nodes[vertex]).norm(),
+                1e-11 * 20e-3); // condition 1e4 times 1e-16, with room
   }
 
   TEST_F(MeshMotionTest, EveryLawReproducesTranslationsAndElasticSmallTurns)
@@ -132,7 +136,8 @@ namespace swimtwin
         displacement.push_back(turn * fluid.mesh.nodes[node] + shift);
       const auto extended = follows.extend(displacement);
       for (unsigned int vertex = 0; vertex < fluid.mesh.n_vertices(); ++vertex)
-        EXPECT_LE((extended[vertex] - turn * fluid.mesh.nodes[vertex] - shift).norm(), 1e-9 * 20e-3) << name(law); // condition 1e6 at most
+        EXPECT_LE((extended[vertex] - turn * fluid.mesh.nodes[vertex] - shift).norm(), 1e-9 * 20e-3)
+            << name(law); // condition 1e6 at most
     }
   }
 
@@ -174,27 +179,30 @@ namespace swimtwin
 
   TEST_F(MeshMotionOfAnEllipseTest, ElasticLawGoesFurtherThanWeightedHarmonicThanHarmonic)
   {
-    const double elastic = first_inversion(MeshMotion::elastic), weighted = first_inversion(MeshMotion::weighted_harmonic),
+    const double elastic  = first_inversion(MeshMotion::elastic),
+                 weighted = first_inversion(MeshMotion::weighted_harmonic),
                  harmonic = first_inversion(MeshMotion::harmonic);
     EXPECT_GT(elastic, weighted);
     EXPECT_GT(weighted, harmonic);
   }
 
-  // The same through the fluid's domain, in a domain that moves along: a rigid motion of the swimmer deforms nothing when
-  // the domain follows it.
+  // The same through the fluid's domain, in a domain that moves along: a rigid motion of the swimmer deforms nothing
+  // when the domain follows it.
   TEST(FluidDomainFollows, DomainThatMovesWithTheSwimmerIsNotDeformedByRigidMotions)
   {
     const Scene scene = shipped_scene("open-2d", {"numerics.mesh_size_m=4e-4", "numerics.mesh_size_corner_m=1e-4"});
     const Swimmer<2> swimmer(scene, MPI_COMM_WORLD);
     Configuration<2> c = swimmer.configuration_at_rest();
     FluidDomain<2>   fluid(scene,
-                           make_fluid_mesh(*scene.domain, swimmer.surface(c), swimmer.surface_mesh_size(), c.pose, c.pose, scene.numerics, MPI_COMM_WORLD),
+                           make_fluid_mesh(*scene.domain, swimmer.surface(c), swimmer.surface_mesh_size(), c.pose, c.pose,
+                                           scene.numerics, MPI_COMM_WORLD),
                            c.pose);
     const double     at_rest = fluid.quality();
     const auto       before  = fluid.positions();
     c.pose.center += Tensor<1, 2>({0.1, -0.2});
     c.pose.angle = 2.5;
-    EXPECT_NEAR(fluid.follow(swimmer.surface(c), c.pose), at_rest, 1e-9); // rounding of 0.2 m over cells of 1e-4 m, squared sides
+    EXPECT_NEAR(fluid.follow(swimmer.surface(c), c.pose), at_rest,
+                1e-9); // rounding of 0.2 m over cells of 1e-4 m, squared sides
     for (unsigned int i = 0; i < before.size(); ++i)
       EXPECT_LE(fluid.positions()[i].distance(c.pose.to_laboratory(before[i])), 1e-12);
   }

@@ -15,11 +15,17 @@ namespace swimtwin
 
     constexpr double length_scale = 0.25;
 
-    Tensor<2, 2> some_rotation(std::integral_constant<int, 2>) { return RandomNumbers().rotation<2>(); }
-    Tensor<2, 3> some_rotation(std::integral_constant<int, 3>) { return RandomNumbers().rotation<3>(); }
+    Tensor<2, 2> some_rotation(std::integral_constant<int, 2>)
+    {
+      return RandomNumbers().rotation<2>();
+    }
+    Tensor<2, 3> some_rotation(std::integral_constant<int, 3>)
+    {
+      return RandomNumbers().rotation<3>();
+    }
 
-    /// Nodes 0-4 of a fluid and 5-8 of a tail: 0 imposed, 1 on the bare head, 2 and 3 tied to tail nodes 5 and 6, 4 free;
-    /// 5 clamped to the head, 6 and 7 free, 8 in the middle of 5 and 7.
+    /// Nodes 0-4 of a fluid and 5-8 of a tail: 0 imposed, 1 on the bare head, 2 and 3 tied to tail nodes 5 and 6, 4
+    /// free; 5 clamped to the head, 6 and 7 free, 8 in the middle of 5 and 7.
     template <int dim>
     struct SmallMap
     {
@@ -72,16 +78,16 @@ namespace swimtwin
     TYPED_TEST_SUITE(MotionMapTest, Dimensions, );
 
     constexpr double rounding = 1e-14; // of a few operations on numbers of order one
-  } // namespace
+  }                                    // namespace
 
   TYPED_TEST(MotionMapTest, NodesOfTheHeadMoveRigidly)
   {
-    constexpr int         dim = TestFixture::dimension;
-    SmallMap<dim>         small;
-    std::vector<double>   unknowns(small.map.n_unknowns(), 0.);
-    const Tensor<1, dim>  U = small.random.template vector<dim>();
-    AngularVelocity<dim>  omega;
-    const unsigned int    first = small.map.first_head_unknown();
+    constexpr int        dim = TestFixture::dimension;
+    SmallMap<dim>        small;
+    std::vector<double>  unknowns(small.map.n_unknowns(), 0.);
+    const Tensor<1, dim> U = small.random.template vector<dim>();
+    AngularVelocity<dim> omega;
+    const unsigned int   first = small.map.first_head_unknown();
     for (int k = 0; k < n_rotations<dim>; ++k)
     {
       omega[k]                  = small.random();
@@ -90,11 +96,14 @@ namespace swimtwin
     for (int c = 0; c < dim; ++c)
       unknowns[first + c] = U[c];
     const auto rows     = small.map.expand(unknowns);
-    const auto velocity = [&](const Tensor<1, dim> &X) { return U + rotational_velocity<dim>(omega, small.rotation * X); };
+    const auto velocity = [&](const Tensor<1, dim> &X) {
+      return U + rotational_velocity<dim>(omega, small.rotation * X);
+    };
     EXPECT_LE((small.at(rows, 1) - velocity(small.X1)).norm(), rounding);
     EXPECT_LE((small.at(rows, 5) - velocity(small.X5)).norm(), rounding);
     EXPECT_LE((small.at(rows, 2) - velocity(small.X5)).norm(), rounding) << "tied to a clamped node";
-    EXPECT_LE((small.at(rows, 8) - .5 * velocity(small.X5)).norm(), rounding) << "mean of a clamped node and one at rest";
+    EXPECT_LE((small.at(rows, 8) - .5 * velocity(small.X5)).norm(), rounding)
+        << "mean of a clamped node and one at rest";
     EXPECT_EQ(small.at(rows, 4).norm(), 0.);
   }
 
@@ -112,7 +121,7 @@ namespace swimtwin
     constexpr int dim = TestFixture::dimension;
     SmallMap<dim> small;
     small.map.imposed[SmallMap<dim>::row(0, 1)] = 7.;
-    const auto rows = small.map.expand(small.random_vector(small.map.n_unknowns()));
+    const auto rows                             = small.map.expand(small.random_vector(small.map.n_unknowns()));
     EXPECT_EQ(small.at(rows, 0)[0], 0.);
     EXPECT_EQ(small.at(rows, 0)[1], 7.);
   }
@@ -133,7 +142,8 @@ namespace swimtwin
     // Force and torque on the head are those entries, the torque without its scale.
     const auto load = small.map.load_on_head(f);
     for (int i = 0; i < n_rigid<dim>; ++i)
-      EXPECT_NEAR(load[i], transposed[small.map.first_head_unknown() + i] * (i < dim ? 1. : length_scale), 10. * rounding);
+      EXPECT_NEAR(load[i], transposed[small.map.first_head_unknown() + i] * (i < dim ? 1. : length_scale),
+                  10. * rounding);
   }
 
   TYPED_TEST(MotionMapTest, FixedHeadHasNoUnknownsButStillFeelsLoads)

@@ -22,14 +22,15 @@ namespace swimtwin
     Triangle scaled_and_turned(Triangle x, const double factor, const double angle)
     {
       for (auto &p : x)
-        p = Point<2>(factor * (std::cos(angle) * p[0] - std::sin(angle) * p[1]) + 3., factor * (std::sin(angle) * p[0] + std::cos(angle) * p[1]) - 5.);
+        p = Point<2>(factor * (std::cos(angle) * p[0] - std::sin(angle) * p[1]) + 3.,
+                     factor * (std::sin(angle) * p[0] + std::cos(angle) * p[1]) - 5.);
       return x;
     }
 
     /// Jacobian determinant at (r, s), from the shape functions written out.
     double determinant_at(const Triangle &x, const double r, const double s)
     {
-      const double l = 1. - r - s;
+      const double l     = 1. - r - s;
       const double dr[6] = {1. - 4. * l, 4. * r - 1., 0., 4. * (l - r), 4. * s, -4. * s};
       const double ds[6] = {1. - 4. * l, 0., 4. * s - 1., -4. * r, 4. * r, 4. * (l - s)};
       Tensor<1, 2> xr, xs;
@@ -45,14 +46,17 @@ namespace swimtwin
   TEST(ElementQuality, IsOneForAnEquilateralTriangleOfAnySizeAndPlace)
   {
     EXPECT_NEAR(element_quality(equilateral), 1., 1e-14);
-    EXPECT_NEAR(element_quality(scaled_and_turned(equilateral, 1e-3, 0.7)), 1., 1e-10); // rounding of 5 over 1e-3, squared
+    EXPECT_NEAR(element_quality(scaled_and_turned(equilateral, 1e-3, 0.7)), 1.,
+                1e-10); // rounding of 5 over 1e-3, squared
   }
 
   TEST(ElementQuality, IsBelowOneForEveryOtherTriangle)
   {
     RandomNumbers random;
     for (int sample = 0; sample < 100; ++sample)
-      EXPECT_LT(element_quality(straight_triangle(Point<2>(random.vector<2>()), Point<2>(random.vector<2>()), Point<2>(random.vector<2>()))), 1.);
+      EXPECT_LT(element_quality(straight_triangle(Point<2>(random.vector<2>()), Point<2>(random.vector<2>()),
+                                                  Point<2>(random.vector<2>()))),
+                1.);
   }
 
   TEST(ElementQuality, IsNegativeForAnInvertedAndZeroForAFlatTriangle)
@@ -116,7 +120,8 @@ namespace swimtwin
   {
     const SimplexSoup<2> soup{{{0., 0.}, {1., 0.}, {.5, std::sqrt(3.) / 2.}, {.5, -.1}}, {{0, 1, 2}, {0, 3, 1}}};
     const SimplexMesh<2> mesh(soup, MPI_COMM_WORLD);
-    EXPECT_NEAR(worst_quality(mesh, mesh.nodes), element_quality(straight_triangle({0., 0.}, {.5, -.1}, {1., 0.})), 1e-14);
+    EXPECT_NEAR(worst_quality(mesh, mesh.nodes), element_quality(straight_triangle({0., 0.}, {.5, -.1}, {1., 0.})),
+                1e-14);
   }
 
   TEST(SimplexMesh, TetrahedraHaveTenNodes)

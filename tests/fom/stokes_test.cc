@@ -62,7 +62,7 @@ namespace swimtwin
       }
     };
     constexpr double rounding = 1e-13; // of sums of some tens of terms of order one
-  } // namespace
+  }                                    // namespace
 
   TEST_F(StokesCell, MatrixIsSymmetric)
   {
@@ -102,7 +102,7 @@ namespace swimtwin
     std::array<double, 15> uniform_pressure{};
     uniform_pressure[12] = uniform_pressure[13] = uniform_pressure[14] = 1.;
     const auto force = times(uniform_pressure), flow = linear_flow(H);
-    double     work  = 0.;
+    double     work = 0.;
     for (int i = 0; i < 12; ++i)
       work += force[i] * flow[i];
     EXPECT_NEAR(work, -pressure_scale * trace(H) * area, rounding);

@@ -11,12 +11,16 @@ namespace swimtwin
   {
     using namespace dealii;
 
-    SwimmerOutline outline_of(const Scene &scene) { return make_outline(scene.head, scene.tail, scene.numerics); }
+    SwimmerOutline outline_of(const Scene &scene)
+    {
+      return make_outline(scene.head, scene.tail, scene.numerics);
+    }
 
-    const std::vector<std::string> swimmers = {"reference-2d-casefile", "annulus", "rigid-swimmer", "rotating-disc", "passive-tail-channel",
-                                               "csm1", "magnetised-cantilever"};
+    const std::vector<std::string> swimmers = {
+        "reference-2d-casefile", "annulus", "rigid-swimmer",        "rotating-disc",
+        "passive-tail-channel",  "csm1",    "magnetised-cantilever"};
     constexpr double rounding = 1e-14; // of lengths of some mm up to 0.6 m
-  } // namespace
+  }                                    // namespace
 
   TEST(SwimmerOutline, ReferenceTipIsAtTheCaseFilesPlace)
   {
@@ -76,8 +80,8 @@ namespace swimtwin
       EXPECT_NEAR(std::hypot(x[0] / 2e-3, x[1] / 0.5e-3), 1., 1e-14);
   }
 
-  // The size field is sampled in 4000 pieces per curve: edges may exceed it by that rounding, and by its growth along them
-  // (a graded edge is longer than the field at its finer end); compared with the larger end it never is.
+  // The size field is sampled in 4000 pieces per curve: edges may exceed it by that rounding, and by its growth along
+  // them (a graded edge is longer than the field at its finer end); compared with the larger end it never is.
   TEST(SwimmerOutline, NoEdgeIsLongerThanTheSizeFieldAsks)
   {
     for (const auto &name : swimmers)
@@ -102,7 +106,8 @@ namespace swimtwin
       for (unsigned int k = 0; k < n; k += 2)
       {
         const double to = surface[k].distance(surface[k + 1]), from = surface[k + 1].distance(surface[(k + 2) % n]);
-        EXPECT_NEAR(to / from, 1., 2e-2) << name << " at " << surface[k]; // chords of equal arcs on curves of varying curvature
+        EXPECT_NEAR(to / from, 1., 2e-2) << name << " at "
+                                         << surface[k]; // chords of equal arcs on curves of varying curvature
       }
     }
   }

@@ -52,13 +52,18 @@ namespace swimtwin
   {
     constexpr double            moment = 3., h = 1e-4;
     const std::array<double, 3> field  = {0.3, -0.8, 0.};
-    const auto                  energy = [&](const double angle) { return -moment * (std::cos(angle) * field[0] + std::sin(angle) * field[1]); };
+    const auto                  energy = [&](const double angle) {
+      return -moment * (std::cos(angle) * field[0] + std::sin(angle) * field[1]);
+    };
     for (const double angle : {-2., 0., 0.5, 3.})
     {
       const auto [torque, derivative] = magnetic_torque(moment, angle, field);
       EXPECT_NEAR(torque, -(energy(angle + h) - energy(angle - h)) / (2. * h), moment * h * h);
-      EXPECT_NEAR(derivative, (magnetic_torque(moment, angle + h, field).torque - magnetic_torque(moment, angle - h, field).torque) / (2. * h),
-                  moment * h * h);
+      EXPECT_NEAR(
+          derivative,
+          (magnetic_torque(moment, angle + h, field).torque - magnetic_torque(moment, angle - h, field).torque) /
+              (2. * h),
+          moment * h * h);
     }
   }
 
@@ -87,35 +92,41 @@ namespace swimtwin
       const double x = swimmer.tail().mesh.nodes[a][0];
       c.shape[a][1]  = 40. * x * x;
     }
-    EXPECT_NEAR(swimmer.tail_angle(c), -0.2 + std::atan(80. * 7.75e-3), 1e-10); // positions of 1e-3 m over an edge of 1e-4 m
+    EXPECT_NEAR(swimmer.tail_angle(c), -0.2 + std::atan(80. * 7.75e-3),
+                1e-10); // positions of 1e-3 m over an edge of 1e-4 m
   }
 
-  // Central differences of a smooth motion: off by h^2 / 6 of its third derivative, a few body lengths per second cubed.
+  // Central differences of a smooth motion: off by h^2 / 6 of its third derivative, a few body lengths per second
+  // cubed.
   TEST_F(SwimmerTest, VelocitiesAreTheDerivativeOfPositions)
   {
     constexpr double t = 0.3, h = 1e-4;
-    const auto       w      = swimmer.tail_velocities(configuration(t), rates(t));
-    const auto       after  = swimmer.tail_positions(configuration(t + h)), before = swimmer.tail_positions(configuration(t - h));
+    const auto       w     = swimmer.tail_velocities(configuration(t), rates(t));
+    const auto       after = swimmer.tail_positions(configuration(t + h)),
+               before      = swimmer.tail_positions(configuration(t - h));
     for (unsigned int a = 0; a < w.size(); ++a)
       EXPECT_LE((w[a] - (after[a] - before[a]) / (2. * h)).norm(), 10. * h * h * length);
 
-    const auto surface_after = swimmer.surface(configuration(t + h)), surface_before = swimmer.surface(configuration(t - h));
+    const auto surface_after  = swimmer.surface(configuration(t + h)),
+               surface_before = swimmer.surface(configuration(t - h));
     for (unsigned int k = 0; k < swimmer.n_surface_nodes(); ++k)
     {
       const Tensor<1, 2> found = (surface_after[k] - surface_before[k]) / (2. * h);
       const int          node  = swimmer.tail_node(k);
       const auto         c     = configuration(t);
       const Tensor<1, 2> expected =
-        node >= 0 ? w[node] : rates(t).velocity + rotational_velocity<2>(rates(t).omega, c.pose.rotation() * swimmer.surface_at_rest(k));
+          node >= 0 ? w[node]
+                    : rates(t).velocity +
+                          rotational_velocity<2>(rates(t).omega, c.pose.rotation() * swimmer.surface_at_rest(k));
       EXPECT_LE((found - expected).norm(), 10. * h * h * length);
     }
   }
 
   TEST_F(SwimmerTest, SurfaceAndTailShareTheirNodes)
   {
-    const auto         c = configuration(0.3);
-    const auto         surface = swimmer.surface(c), tail = swimmer.tail_positions(c);
-    unsigned int       n_shared = 0;
+    const auto   c       = configuration(0.3);
+    const auto   surface = swimmer.surface(c), tail = swimmer.tail_positions(c);
+    unsigned int n_shared = 0;
     for (unsigned int k = 0; k < surface.size(); ++k)
       if (swimmer.tail_node(k) >= 0)
       {
@@ -179,10 +190,10 @@ namespace swimtwin
     overrides.push_back("tail.magnetization_A_m=3e4");
     const Scene      scene = shipped_scene("reference-2d-casefile", overrides);
     const Swimmer<2> swimmer(scene, MPI_COMM_WORLD);
-    Configuration<2> c     = swimmer.configuration_at_rest();
-    c.pose.angle           = 0.6;
-    const double t         = 0.1;
-    const auto   x         = swimmer.tail_positions(c);
+    Configuration<2> c = swimmer.configuration_at_rest();
+    c.pose.angle       = 0.6;
+    const double t     = 0.1;
+    const auto   x     = swimmer.tail_positions(c);
     Tensor<1, 2> force;
     double       torque = 0., magnitude = 0.;
     for (unsigned int a = 0; a < x.size(); ++a)

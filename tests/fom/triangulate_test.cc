@@ -52,7 +52,8 @@ namespace swimtwin
     for (const auto &cell : soup.cells)
       for (int i = 0; i < 3; ++i)
         ++n_cells_at_edge[std::minmax({cell[i], cell[(i + 1) % 3]})];
-    const auto n_boundary = std::count_if(n_cells_at_edge.begin(), n_cells_at_edge.end(), [](const auto &e) { return e.second == 1; });
+    const auto n_boundary =
+        std::count_if(n_cells_at_edge.begin(), n_cells_at_edge.end(), [](const auto &e) { return e.second == 1; });
     EXPECT_EQ(n_boundary, 9);
     for (unsigned int i = 0; i < 6; ++i)
     {
@@ -72,7 +73,8 @@ namespace swimtwin
       area += cell_area(soup, cell);
     }
     EXPECT_NEAR(area, polygon_area(region.outer) - polygon_area(region.holes[0]), 1e-13);
-    // Euler: without a point inside there are (boundary points) + 2 (holes) - 2 triangles. The size field asks for more.
+    // Euler: without a point inside there are (boundary points) + 2 (holes) - 2 triangles. The size field asks for
+    // more.
     EXPECT_GT(soup.cells.size(), 9u);
   }
 
@@ -94,7 +96,7 @@ namespace swimtwin
     for (auto *polygon : {&small.outer, &small.holes[0]})
       for (auto &x : *polygon)
         x *= 0x1p-10; // a power of two: no rounding
-    small.size = [&](const Point<2> &x) { return size(Point<2>(0x1p10 * Tensor<1, 2>(x))) * 0x1p-10; };
+    small.size   = [&](const Point<2> &x) { return size(Point<2>(0x1p10 * Tensor<1, 2>(x))) * 0x1p-10; };
     const auto a = triangulate(example_region(), MPI_COMM_WORLD), b = triangulate(small, MPI_COMM_WORLD);
     EXPECT_EQ(a.cells, b.cells);
   }
@@ -116,7 +118,7 @@ namespace swimtwin
     const auto mirrored = triangulate(image, MPI_COMM_WORLD);
     ASSERT_EQ(mirrored.vertices.size(), plain.vertices.size());
     ASSERT_EQ(mirrored.cells.size(), plain.cells.size());
-    using Corners = std::array<std::array<double, 2>, 3>;
+    using Corners          = std::array<std::array<double, 2>, 3>;
     const auto corner_list = [&](const SimplexSoup<2> &soup, const double sign) {
       std::vector<Corners> list;
       for (const auto &cell : soup.cells)

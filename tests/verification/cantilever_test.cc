@@ -28,9 +28,18 @@ namespace swimtwin
     {
       double angle, curvature, x, y;
     };
-    RodState operator+(const RodState &a, const RodState &b) { return {a.angle + b.angle, a.curvature + b.curvature, a.x + b.x, a.y + b.y}; }
-    RodState operator*(const double f, const RodState &a) { return {f * a.angle, f * a.curvature, f * a.x, f * a.y}; }
-    RodState slope(const RodState &r) { return {r.curvature, -group * std::sin(field_angle - r.angle), std::cos(r.angle), std::sin(r.angle)}; }
+    RodState operator+(const RodState &a, const RodState &b)
+    {
+      return {a.angle + b.angle, a.curvature + b.curvature, a.x + b.x, a.y + b.y};
+    }
+    RodState operator*(const double f, const RodState &a)
+    {
+      return {f * a.angle, f * a.curvature, f * a.x, f * a.y};
+    }
+    RodState slope(const RodState &r)
+    {
+      return {r.curvature, -group * std::sin(field_angle - r.angle), std::cos(r.angle), std::sin(r.angle)};
+    }
 
     /// Classical Runge-Kutta from the clamp with a curvature there.
     RodState shoot(const double curvature_at_clamp)
@@ -48,10 +57,11 @@ namespace swimtwin
 
     Tip elastica()
     {
-      double low = 0., high = std::sqrt(2. * group * (1. - std::cos(field_angle))); // the rod that reaches the field's angle
+      double low  = 0.,
+             high = std::sqrt(2. * group * (1. - std::cos(field_angle))); // the rod that reaches the field's angle
       for (int i = 0; i < 60; ++i)
       {
-        const double middle = .5 * (low + high);
+        const double middle                         = .5 * (low + high);
         (shoot(middle).curvature > 0. ? high : low) = middle;
       }
       const RodState tip = shoot(low);
@@ -61,18 +71,19 @@ namespace swimtwin
     /// The shipped beam with another thickness, its stiffness scaled to keep the group.
     Tip finite_element_beam(const double slenderness)
     {
-      const Scene               shipped     = shipped_scene("magnetised-cantilever");
-      const double              length      = shipped.tail->length_m, height = slenderness * length;
-      const double              shipped_h   = shipped.tail->root_height_m, ratio = height / shipped_h;
-      std::vector<std::string>  overrides;
+      const Scene              shipped = shipped_scene("magnetised-cantilever");
+      const double             length = shipped.tail->length_m, height = slenderness * length;
+      const double             shipped_h = shipped.tail->root_height_m, ratio = height / shipped_h;
+      std::vector<std::string> overrides;
       if (ratio != 1.)
-        overrides = {override_entry("tail.root_height_m", height),
-                     override_entry("tail.tip_height_m", height),
-                     override_entry("tail.young_modulus_Pa", shipped.tail->young_modulus_Pa / (ratio * ratio)),
-                     "head.size_m=[0.5e-3, 1e-3]",
-                     override_entry("numerics.mesh_size_m", shipped.numerics.mesh_size_m * std::min(ratio, 3.)),
-                     override_entry("numerics.mesh_size_corner_m", shipped.numerics.mesh_size_corner_m * std::min(ratio, 3.)),
-                     override_entry("numerics.mesh_size_far_m", shipped.numerics.mesh_size_far_m * std::min(ratio, 3.))};
+        overrides = {
+            override_entry("tail.root_height_m", height),
+            override_entry("tail.tip_height_m", height),
+            override_entry("tail.young_modulus_Pa", shipped.tail->young_modulus_Pa / (ratio * ratio)),
+            "head.size_m=[0.5e-3, 1e-3]",
+            override_entry("numerics.mesh_size_m", shipped.numerics.mesh_size_m * std::min(ratio, 3.)),
+            override_entry("numerics.mesh_size_corner_m", shipped.numerics.mesh_size_corner_m * std::min(ratio, 3.)),
+            override_entry("numerics.mesh_size_far_m", shipped.numerics.mesh_size_far_m * std::min(ratio, 3.))};
       const Scene       scene = shipped_scene("magnetised-cantilever", overrides);
       FullOrderModel<2> model(scene, MPI_COMM_WORLD);
       for (int step = 0; step < scene.time.n_steps(); ++step)
@@ -80,20 +91,25 @@ namespace swimtwin
       const auto  &configuration = model.now().configuration;
       const auto   tip           = model.swimmer().tail_positions(configuration)[model.swimmer().tail().axis_at_tip[2]];
       const double root          = scene.head.size_m[0] / 2;
-      const Tip    result        = {model.swimmer().tail_angle(configuration), (tip[0] - root) / length, tip[1] / length};
-      std::cout << "cantilever h/L = " << slenderness << ": tip angle " << result.angle_rad * 180. / pi << " degrees at (" << result.x
-                << ", " << result.y << ") L, " << model.n_unknowns() << " unknowns" << std::endl;
+      const Tip    result = {model.swimmer().tail_angle(configuration), (tip[0] - root) / length, tip[1] / length};
+      std::cout << "cantilever h/L = " << slenderness << ": tip angle " << result.angle_rad * 180. / pi
+                << " degrees at (" << result.x << ", " << result.y << ") L, " << model.n_unknowns() << " unknowns"
+                << std::endl;
       return result;
     }
 
-    double distance(const Tip &a, const Tip &b) { return std::hypot(a.x - b.x, a.y - b.y); }
+    double distance(const Tip &a, const Tip &b)
+    {
+      return std::hypot(a.x - b.x, a.y - b.y);
+    }
   } // namespace
 
   // Half a unit in the last published digit.
   TEST(Cantilever, ShootingConfirmsThePublishedElastica)
   {
     const Tip tip = elastica();
-    std::cout << "elastica: " << tip.angle_rad * 180. / pi << " degrees at (" << tip.x << ", " << tip.y << ") L" << std::endl;
+    std::cout << "elastica: " << tip.angle_rad * 180. / pi << " degrees at (" << tip.x << ", " << tip.y << ") L"
+              << std::endl;
     EXPECT_NEAR(tip.angle_rad * 180. / pi, 98.636, 6e-4);
     EXPECT_NEAR(tip.x, published.x, 6e-6);
     EXPECT_NEAR(tip.y, published.y, 6e-6);
@@ -107,15 +123,16 @@ namespace swimtwin
     EXPECT_NEAR(beam.y, exact.y, 0.01 * exact.y);
   }
 
-  // Extension and shear, relative to bending, go with (h/L)^2 and the clamp's restraint of the cross-section with h/L at
-  // most: the distance to the elastica falls at least in proportion to h/L.
+  // Extension and shear, relative to bending, go with (h/L)^2 and the clamp's restraint of the cross-section with h/L
+  // at most: the distance to the elastica falls at least in proportion to h/L.
   TEST(Cantilever, BeamApproachesTheElasticaAsItThins)
   {
-    const Tip exact = elastica(), thick = finite_element_beam(0.1), medium = finite_element_beam(0.05), thin = finite_element_beam(0.02);
+    const Tip exact = elastica(), thick = finite_element_beam(0.1), medium = finite_element_beam(0.05),
+              thin        = finite_element_beam(0.02);
     const double errors[] = {distance(thick, exact), distance(medium, exact), distance(thin, exact)};
     std::cout << "cantilever: tip is off the elastica's by " << errors[0] << ", " << errors[1] << ", " << errors[2]
-              << " L; angle by " << thick.angle_rad - exact.angle_rad << ", " << medium.angle_rad - exact.angle_rad << ", "
-              << thin.angle_rad - exact.angle_rad << " rad" << std::endl;
+              << " L; angle by " << thick.angle_rad - exact.angle_rad << ", " << medium.angle_rad - exact.angle_rad
+              << ", " << thin.angle_rad - exact.angle_rad << " rad" << std::endl;
     EXPECT_LE(errors[1], errors[0] * 0.5);
     EXPECT_LE(errors[2], errors[1] * 0.4);
   }

@@ -18,7 +18,10 @@ namespace swimtwin
     constexpr double a = 1e-3, b = 5e-3, viscosity = 1.; // rotating-disc.toml
 
     /// Circular Couette flow.
-    double exact_torque() { return 4. * pi * viscosity * a * a * b * b / (b * b - a * a); }
+    double exact_torque()
+    {
+      return 4. * pi * viscosity * a * a * b * b / (b * b - a * a);
+    }
     /// Solution of the biharmonic problem in the annulus (Lamb; Happel and Brenner, Low Reynolds number hydrodynamics).
     double exact_drag()
     {
@@ -34,9 +37,10 @@ namespace swimtwin
 
     Errors errors_on_mesh(const double refinement)
     {
-      const Scene coarse = shipped_scene("rotating-disc", {"numerics.mesh_size_m=2e-4", "numerics.mesh_size_corner_m=2e-4",
-                                                           "numerics.mesh_size_far_m=6e-4", "numerics.mesh_growth=0.2"});
-      const Scene scene  = shipped_scene("rotating-disc", refined(coarse, refinement));
+      const Scene coarse =
+          shipped_scene("rotating-disc", {"numerics.mesh_size_m=2e-4", "numerics.mesh_size_corner_m=2e-4",
+                                          "numerics.mesh_size_far_m=6e-4", "numerics.mesh_growth=0.2"});
+      const Scene      scene = shipped_scene("rotating-disc", refined(coarse, refinement));
       const Swimmer<2> disc(scene, MPI_COMM_WORLD);
       const auto       r = compute_resistance(disc, disc.configuration_at_rest(), MPI_COMM_WORLD);
       return {std::abs(r.matrix(2, 2) / exact_torque() - 1.),
@@ -53,8 +57,8 @@ namespace swimtwin
     }
   } // namespace
 
-  // Reactions converge with the energy: order 4 for quadratic velocities. At least 3 is asked, because the meshes are not
-  // nested and the quadratic boundary is off the circle by a term of order 4 with another constant.
+  // Reactions converge with the energy: order 4 for quadratic velocities. At least 3 is asked, because the meshes are
+  // not nested and the quadratic boundary is off the circle by a term of order 4 with another constant.
   TEST(DiscInCircle, TorqueAndDragConvergeToTheExactOnes)
   {
     std::vector<Errors> errors;

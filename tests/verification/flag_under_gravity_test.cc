@@ -18,12 +18,13 @@ namespace swimtwin
       for (int step = 0; step < scene.time.n_steps(); ++step)
         model.advance();
       const dealii::Tensor<1, 2> tip = 1e3 * model.now().configuration.shape[model.swimmer().tail().axis_at_tip[2]];
-      std::cout << name << ": tip displacement (" << tip[0] << ", " << tip[1] << ") mm, " << model.n_unknowns() << " unknowns, "
-                << model.counts().n_coupling_iterations << " iterations" << std::endl;
+      std::cout << name << ": tip displacement (" << tip[0] << ", " << tip[1] << ") mm, " << model.n_unknowns()
+                << " unknowns, " << model.counts().n_coupling_iterations << " iterations" << std::endl;
       return tip;
     }
 
-    /// Converged values, to six or seven digits (nutils, feelpp and solids4foam agree on the leading four); 0.1 % asked.
+    /// Converged values, to six or seven digits (nutils, feelpp and solids4foam agree on the leading four); 0.1 %
+    /// asked.
     void expect_within_a_permille(const dealii::Tensor<1, 2> &tip, const double x_mm, const double y_mm)
     {
       std::cout << "  relative errors " << tip[0] / x_mm - 1. << ", " << tip[1] / y_mm - 1. << std::endl;
@@ -42,8 +43,8 @@ namespace swimtwin
     expect_within_a_permille(tip_displacement_mm("csm2"), -0.468967, -16.97319);
   }
 
-  // The stress is singular where the clamp ends. With the mesh graded to an eightieth of the flag's height there, what is
-  // left is the uncertainty of the published values themselves, some units of their fifth digit.
+  // The stress is singular where the clamp ends. With the mesh graded to an eightieth of the flag's height there, what
+  // is left is the uncertainty of the published values themselves, some units of their fifth digit.
   TEST(FlagUnderGravity, GradingTowardsTheClampGivesThePublishedDigits)
   {
     const auto tip = tip_displacement_mm("csm1", {"numerics.mesh_size_corner_m=2.5e-4"});

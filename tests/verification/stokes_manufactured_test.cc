@@ -21,24 +21,30 @@ namespace swimtwin
     /// u = (d/dy, -d/dx) sin(alpha x) cos(beta y), so that Laplace u = -(alpha^2 + beta^2) u.
     Tensor<1, 2> exact_velocity(const Point<2> &x)
     {
-      return Tensor<1, 2>({-beta * std::sin(alpha * x[0]) * std::sin(beta * x[1]), -alpha * std::cos(alpha * x[0]) * std::cos(beta * x[1])});
+      return Tensor<1, 2>({-beta * std::sin(alpha * x[0]) * std::sin(beta * x[1]),
+                           -alpha * std::cos(alpha * x[0]) * std::cos(beta * x[1])});
     }
-    double exact_pressure(const Point<2> &x) { return std::cos(alpha * x[0]) * std::sin(beta * x[1]); }
+    double exact_pressure(const Point<2> &x)
+    {
+      return std::cos(alpha * x[0]) * std::sin(beta * x[1]);
+    }
     Tensor<1, 2> body_force(const Point<2> &x)
     {
-      const Tensor<1, 2> pressure_gradient(
-        {-alpha * std::sin(alpha * x[0]) * std::sin(beta * x[1]), beta * std::cos(alpha * x[0]) * std::cos(beta * x[1])});
+      const Tensor<1, 2> pressure_gradient({-alpha * std::sin(alpha * x[0]) * std::sin(beta * x[1]),
+                                            beta * std::cos(alpha * x[0]) * std::cos(beta * x[1])});
       return viscosity * (alpha * alpha + beta * beta) * exact_velocity(x) + pressure_gradient;
     }
 
     /// Between circles of radius 0.4 m and 1 m, elements of equal size.
     FluidMesh<2> annulus(const double h)
     {
-      static Scene scene = shipped_scene("rotating-disc", {"head.diameter_m=0.8", "domain.radius_m=1.0", "numerics.mesh_size_far_m=0.1",
-                                                           "numerics.mesh_size_m=0.1", "numerics.mesh_size_corner_m=0.1"});
+      static Scene scene =
+          shipped_scene("rotating-disc", {"head.diameter_m=0.8", "domain.radius_m=1.0", "numerics.mesh_size_far_m=0.1",
+                                          "numerics.mesh_size_m=0.1", "numerics.mesh_size_corner_m=0.1"});
       scene.numerics.mesh_size_m = scene.numerics.mesh_size_corner_m = scene.numerics.mesh_size_far_m = h;
       const auto surface = make_outline(scene.head, {}, scene.numerics).surface();
-      return make_fluid_mesh(*scene.domain, surface, std::vector<double>(surface.size() / 2, h), {}, {}, scene.numerics, MPI_COMM_WORLD);
+      return make_fluid_mesh(*scene.domain, surface, std::vector<double>(surface.size() / 2, h), {}, {}, scene.numerics,
+                             MPI_COMM_WORLD);
     }
 
     struct StokesErrors
@@ -110,7 +116,8 @@ namespace swimtwin
     }
 
     /// L2 norms over the curved mesh; the pressure's up to a constant.
-    StokesErrors measure(const FluidMesh<2> &fluid, const NodeNumbering<2> &numbering, const std::vector<double> &values)
+    StokesErrors measure(const FluidMesh<2> &fluid, const NodeNumbering<2> &numbering,
+                         const std::vector<double> &values)
     {
       IsoparametricCell<2> cell(4);
       double               area = 0., velocity = 0., pressure = 0., pressure_mean = 0.;
@@ -133,7 +140,8 @@ namespace swimtwin
           pressure_mean += cell.weight(q) * dp;
         }
       }
-      return {std::sqrt(velocity), std::sqrt(pressure - pressure_mean * pressure_mean / area), std::sqrt(area / fluid.mesh.n_cells())};
+      return {std::sqrt(velocity), std::sqrt(pressure - pressure_mean * pressure_mean / area),
+              std::sqrt(area / fluid.mesh.n_cells())};
     }
 
     double order(const double coarse_error, const double fine_error, const double size_ratio)
@@ -152,13 +160,14 @@ namespace swimtwin
       const NodeNumbering<2> numbering(fluid.mesh, true);
       errors.push_back(measure(fluid, numbering, solve(fluid, numbering)));
       const auto &e = errors.back();
-      std::cout << "manufactured Stokes: " << numbering.size() << " values, cell size " << e.cell_size << ", L2 errors: velocity "
-                << e.velocity << ", pressure " << e.pressure << std::endl;
+      std::cout << "manufactured Stokes: " << numbering.size() << " values, cell size " << e.cell_size
+                << ", L2 errors: velocity " << e.velocity << ", pressure " << e.pressure << std::endl;
     }
     const double ratio          = errors[0].cell_size / errors[2].cell_size;
     const double velocity_order = order(errors[0].velocity, errors[2].velocity, ratio),
                  pressure_order = order(errors[0].pressure, errors[2].pressure, ratio);
-    std::cout << "manufactured Stokes: orders: velocity " << velocity_order << ", pressure " << pressure_order << std::endl;
+    std::cout << "manufactured Stokes: orders: velocity " << velocity_order << ", pressure " << pressure_order
+              << std::endl;
     EXPECT_GE(velocity_order, 2.9);
     EXPECT_GE(pressure_order, 1.9);
   }

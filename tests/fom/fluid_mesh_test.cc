@@ -1,0 +1,142 @@
+#include <fom/fluid_mesh.h>
+#include <fom/isoparametric_cell.h>
+#include <fom/swimmer.h>
+#include <tests/fom/shipped_scene.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <set>
+
+namespace swimtwin
+{
+  namespace
+  {
+    using namespace dealii;
+    using std::numbers::pi;
+
+    const std::vector<std::string> coarse = {"numerics.mesh_size_m=4e-4", "numerics.mesh_size_corner_m=1e-4"};
+
+    struct MeshedScene
+    {
+      Scene        scene;
+      Swimmer<2>   swimmer{scene, MPI_COMM_WORLD};
+      FluidMesh<2> fluid =
+          make_fluid_mesh(*scene.domain, swimmer.surface(swimmer.configuration_at_rest()), swimmer.surface_mesh_size(),
+                          swimmer.pose_at_rest(), swimmer.pose_at_rest(), scene.numerics, MPI_COMM_WORLD);
+
+      explicit MeshedScene(Scene s) : scene(std::move(s)) {}
+
+      double area() const
+      {
+        IsoparametricCell<2> cell;
+        double               sum = 0.;
+        for (const auto &nodes : fluid.mesh.cells)
+        {
+          cell.reinit(cell_positions<2>(nodes, fluid.mesh.nodes));
+          for (unsigned int q = 0; q < cell.n_points(); ++q)
+            sum += cell.weight(q);
+        }
+        return sum;
+      }
+      const WallNode &wall_node_at(const Point<2> &x) const
+      {
+        for (const auto &wall_node : fluid.wall_nodes)
+          if (fluid.mesh.nodes[wall_node.node].distance(x) < 1e-12)
+            return wall_node;
+        throw std::out_of_range("no wall node there");
+      }
+    };
+  } // namespace
+
+  // Straight but for the tail's round tip, whose area the tail's own mesh misses by the same amount: together they fill
+  // the box exactly.
+  TEST(FluidMesh, FluidTailAndHeadFillTheBox)
+  {
+    const MeshedScene meshed(shipped_scene("reference-2d-casefile", coarse));
+    const double      box = 40e-3 * 20e-3;
+    EXPECT_NEAR(meshed.area() + meshed.swimmer.elasticity().volume() + meshed.scene.head.area_m2(), box, 1e-12 * box);
+  }
+
+  // A quadratic edge of half angle a misses r^2 a^5 / 30 of its circle's segment: relative to the disc a^4 / 60. Walls
+  // are divided into at least 32 edges, the inner disc into more.
+  TEST(FluidMesh, CurvedWallsEncloseTheAreaOfTheirCircles)
+  {
+    const MeshedScene meshed(shipped_scene("rotating-disc"));
+    const double      exact = pi * (25e-6 - 1e-6);
+    EXPECT_NEAR(meshed.area(), exact, std::pow(pi / 32., 4) / 60. * 26e-6 * pi);
+  }
+
+  TEST(FluidMesh, SurfaceNodesAreTheSwimmersAndWallNodesLieOnTheirWalls)
+  {
+    const MeshedScene meshed(shipped_scene("reference-2d-casefile", coarse));
+    const auto        surface = meshed.swimmer.surface(meshed.swimmer.configuration_at_rest());
+    ASSERT_EQ(surface.size(), meshed.fluid.surface_nodes.size());
+    for (unsigned int k = 0; k < surface.size(); ++k)
+      EXPECT_EQ(meshed.fluid.mesh.nodes[meshed.fluid.surface_nodes[k]], surface[k]);
+    std::set<unsigned int> seen;
+    for (const auto &[node, wall, name] : meshed.fluid.wall_nodes)
+    {
+      const auto &x = meshed.fluid.mesh.nodes[node];
+      EXPECT_NEAR(name == "left" || name == "right" ? std::abs(x[0]) - 20e-3 : std::abs(x[1]) - 10e-3, 0., 1e-15)
+          << name;
+      EXPECT_EQ(wall, &meshed.scene.domain->walls.at(name));
+      EXPECT_TRUE(seen.insert(node).second) << "named twice";
+    }
+  }
+
+  TEST(FluidMesh, NoSlipWinsAtCornersWithOpenEndsAndInflows)
+  {
+    const MeshedScene box(shipped_scene("reference-2d-casefile", coarse));
+    for (const double x : {-20e-3, 20e-3})
+      for (const double y : {-10e-3, 10e-3})
+        EXPECT_EQ(box.wall_node_at({x, y}).wall->condition, WallCondition::no_slip);
+    const MeshedScene channel(shipped_scene("passive-tail-channel"));
+    for (const double y : {-5e-3, 5e-3})
+      EXPECT_EQ(channel.wall_node_at({-15e-3, y}).wall->condition, WallCondition::no_slip);
+  }
+
+  TEST(FluidMesh, RecordMakesTheSameMeshAgain)
+  {
+    const MeshedScene meshed(
+        shipped_scene("annulus", {"numerics.mesh_size_m=4e-4", "numerics.mesh_size_corner_m=2e-4"}));
+    const auto again = make_fluid_mesh(*meshed.scene.domain, record(meshed.fluid), MPI_COMM_WORLD);
+    EXPECT_EQ(again.mesh.nodes, meshed.fluid.mesh.nodes);
+    EXPECT_EQ(again.mesh.cells, meshed.fluid.mesh.cells);
+    EXPECT_EQ(again.surface_nodes, meshed.fluid.surface_nodes);
+    ASSERT_EQ(again.wall_nodes.size(), meshed.fluid.wall_nodes.size());
+    for (unsigned int i = 0; i < again.wall_nodes.size(); ++i)
+    {
+      EXPECT_EQ(again.wall_nodes[i].node, meshed.fluid.wall_nodes[i].node);
+      EXPECT_EQ(again.wall_nodes[i].wall, meshed.fluid.wall_nodes[i].wall);
+    }
+  }
+
+  // speed_m_s is the mean: the parabola's maximum is 1.5 times that, after the ramp.
+  TEST(WallVelocity, InflowIsAParabolaOfTheGivenMean)
+  {
+    const Scene scene = shipped_scene("passive-tail-channel");
+    const auto  at    = [&](const double y, const double t) {
+      return wall_velocity(*scene.domain, "left", {-15e-3, y}, t);
+    };
+    constexpr int n    = 1000;
+    double        mean = 0.;
+    for (int i = 0; i < n; ++i)
+      mean += at(10e-3 * ((i + .5) / n - .5), 1.)[0] / n; // midpoint rule: off by 1 / (8 n^2) relative
+    EXPECT_NEAR(mean, 2e-3, 2e-3 / (4. * n * n));
+    EXPECT_NEAR(at(0., 1.)[0], 3e-3, 1e-17);
+    EXPECT_EQ(at(0., 1.)[1], 0.);
+    EXPECT_NEAR(at(5e-3, 1.)[0], 0., 1e-17);
+    EXPECT_EQ(at(0., 0.)[0], 0.);
+    EXPECT_NEAR(at(0., 0.25)[0], 1.5e-3, 1e-17);
+  }
+
+  TEST(WallVelocity, RoundWallTurnsCounterClockwise)
+  {
+    const Scene scene = shipped_scene("rotating-disc");
+    const auto  v     = wall_velocity(*scene.domain, "outer", {5e-3, 0.}, 0.);
+    EXPECT_NEAR(v[0], 0., 1e-17);
+    EXPECT_NEAR(v[1], 5e-3, 1e-17);
+  }
+} // namespace swimtwin

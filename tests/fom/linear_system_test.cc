@@ -1,0 +1,145 @@
+#include <fom/linear_system.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace swimtwin
+{
+  namespace
+  {
+    constexpr PetscInt n = 50;
+
+    /// The tridiagonal matrix (-1, 2 + shift, -1), entry by entry, the diagonal in two contributions that add up.
+    struct Chain
+    {
+      std::vector<PetscInt> rows, columns;
+      std::vector<double>   values;
+
+      explicit Chain(const double shift)
+      {
+        const auto add = [this](const PetscInt i, const PetscInt j, const double value) {
+          rows.push_back(i);
+          columns.push_back(j);
+          values.push_back(value);
+        };
+        for (PetscInt i = 0; i < n; ++i)
+        {
+          add(i, i, 2.);
+          add(i, i, shift);
+          if (i > 0)
+            add(i, i - 1, -1.);
+          if (i + 1 < n)
+            add(i, i + 1, -1.);
+        }
+      }
+      std::vector<double> times(const std::vector<double> &x) const
+      {
+        std::vector<double> y(n, 0.);
+        for (unsigned int k = 0; k < values.size(); ++k)
+          y[rows[k]] += values[k] * x[columns[k]];
+        return y;
+      }
+    };
+
+    std::vector<double> wave()
+    {
+      std::vector<double> x(n);
+      for (PetscInt i = 0; i < n; ++i)
+        x[i] = std::sin(0.3 * i) + 0.1;
+      return x;
+    }
+
+    bool solve_for_wave(LinearSystem &system, const Chain &chain, std::vector<double> &solution)
+    {
+      system.set_matrix(chain.values);
+      system.set_right_hand_side(chain.times(wave()));
+      return system.solve(solution);
+    }
+
+    /// The largest error; the condition number is about n^2 / 2.
+    double error(const std::vector<double> &solution)
+    {
+      double largest = 0.;
+      for (PetscInt i = 0; i < n; ++i)
+        largest = std::max(largest, std::abs(solution[i] - wave()[i]));
+      return largest;
+    }
+  } // namespace
+
+  TEST(LinearSystem, SolvesToItsTolerance)
+  {
+    for (const bool direct : {false, true})
+    {
+      LinearSolverOptions options;
+      options.direct            = direct;
+      options.positive_definite = direct;
+      options.tolerance         = 1e-12;
+      LinearSystem system(MPI_COMM_WORLD, options);
+      const Chain  chain(0.);
+      system.set_pattern(0, n, chain.rows, chain.columns);
+      std::vector<double> solution(n, 0.);
+      EXPECT_TRUE(solve_for_wave(system, chain, solution));
+      EXPECT_LE(error(solution), 1e-12 * n * n);
+      EXPECT_EQ(system.counts().n_solves, 1);
+      EXPECT_EQ(system.counts().n_factorizations, 1);
+    }
+  }
+
+  TEST(LinearSystem, OldFactorsServeANearbyMatrixToTheSameTolerance)
+  {
+    LinearSolverOptions options;
+    options.tolerance = 1e-12;
+    LinearSystem system(MPI_COMM_WORLD, options);
+    const Chain  chain(0.), nearby(1e-3);
+    system.set_pattern(0, n, chain.rows, chain.columns);
+    std::vector<double> solution(n, 0.);
+    EXPECT_TRUE(solve_for_wave(system, chain, solution));
+    solution.assign(n, 0.);
+    EXPECT_TRUE(solve_for_wave(system, nearby, solution));
+    EXPECT_EQ(system.counts().n_factorizations, 1);
+    EXPECT_LE(error(solution), 1e-12 * n * n);
+  }
+
+  TEST(LinearSystem, FactorsThatNoLongerServeAreMadeAnew)
+  {
+    LinearSolverOptions options;
+    options.tolerance            = 1e-12;
+    options.max_stale_iterations = 3;
+    LinearSystem system(MPI_COMM_WORLD, options);
+    Chain        chain(0.), far(0.);
+    for (unsigned int k = 0; k < far.values.size(); ++k)
+      far.values[k] *= far.rows[k] == far.columns[k] ? 1. + far.rows[k] : 1.;
+    system.set_pattern(0, n, chain.rows, chain.columns);
+    std::vector<double> solution(n, 0.);
+    EXPECT_TRUE(solve_for_wave(system, chain, solution));
+    solution.assign(n, 0.);
+    EXPECT_TRUE(solve_for_wave(system, far, solution));
+    EXPECT_EQ(system.counts().n_factorizations, 2);
+    EXPECT_LE(error(solution), 1e-12 * n * n);
+  }
+
+  TEST(LinearSystem, SingularMatrixAndNaNAreReportedNotReturned)
+  {
+    LinearSystem system(MPI_COMM_WORLD, {});
+    Chain        singular(0.), poisoned(0.);
+    for (unsigned int k = 0; k < singular.values.size(); ++k)
+      if (singular.rows[k] == 7 || singular.columns[k] == 7)
+        singular.values[k] = 0.;
+    system.set_pattern(0, n, singular.rows, singular.columns);
+    std::vector<double> solution(n, 0.);
+    system.set_matrix(singular.values);
+    system.set_right_hand_side(std::vector<double>(n, 1.));
+    EXPECT_FALSE(system.solve(solution));
+
+    solution.assign(n, 0.);
+    system.set_matrix(Chain(0.).values);
+    system.set_right_hand_side(std::vector<double>(n, std::numeric_limits<double>::quiet_NaN()));
+    EXPECT_FALSE(system.solve(solution));
+
+    solution.assign(n, 0.); // and it recovers
+    EXPECT_TRUE(solve_for_wave(system, Chain(0.), solution));
+    EXPECT_LE(error(solution), 1e-9 * n * n);
+  }
+} // namespace swimtwin

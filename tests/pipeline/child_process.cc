@@ -1,0 +1,115 @@
+#include <tests/pipeline/child_process.h>
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <thread>
+
+namespace swimtwin
+{
+  namespace
+  {
+    // Only calls that are safe between fork and exec.
+    [[noreturn]] void become(const Command &command, char *const *words, const char *out, const char *err)
+    {
+      dup2(open(out, O_WRONLY | O_CREAT, 0600), STDOUT_FILENO);
+      dup2(open(err, O_WRONLY | O_CREAT, 0600), STDERR_FILENO);
+      if (command.largest_file_bytes)
+      {
+        const rlimit limit{*command.largest_file_bytes, *command.largest_file_bytes};
+        setrlimit(RLIMIT_FSIZE, &limit);
+        signal(SIGXFSZ, SIG_IGN); // writes then fail instead of ending the process
+      }
+      execvp(words[0], words);
+      _exit(127);
+    }
+  } // namespace
+
+  ChildProcess::ChildProcess(const Command &command)
+  {
+    std::vector<std::string> words = command.words;
+    std::vector<char *>      pointers;
+    for (auto &word : words)
+      pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+    const std::string out = folder_.path / "out", err = folder_.path / "err";
+    pid_ = fork();
+    if (pid_ == 0)
+      become(command, pointers.data(), out.c_str(), err.c_str());
+    if (pid_ < 0)
+      ADD_FAILURE() << "cannot start " << words[0];
+  }
+
+  ChildProcess::~ChildProcess()
+  {
+    kill();
+  }
+
+  bool ChildProcess::has_ended()
+  {
+    int status = 0;
+    if (!status_ && waitpid(pid_, &status, WNOHANG) == pid_)
+      status_ = status;
+    return status_.has_value();
+  }
+
+  bool ChildProcess::kill()
+  {
+    if (pid_ <= 0 || has_ended())
+      return false;
+    ::kill(pid_, SIGKILL);
+    wait();
+    return true;
+  }
+
+  Outcome ChildProcess::wait()
+  {
+    int status = 0;
+    if (!status_ && waitpid(pid_, &status, 0) == pid_)
+      status_ = status;
+    const bool exited = status_ && WIFEXITED(*status_);
+    return {exited ? WEXITSTATUS(*status_) : -1, content(folder_.path / "out"), content(folder_.path / "err")};
+  }
+
+  bool ChildProcess::wait_for_file(const std::filesystem::path &file)
+  {
+    using namespace std::chrono;
+    for (const auto end = steady_clock::now() + minutes(1); steady_clock::now() < end && !has_ended();)
+    {
+      if (std::filesystem::exists(file))
+        return true;
+      std::this_thread::sleep_for(milliseconds(1));
+    }
+    return false;
+  }
+
+  Outcome run(const Command &command)
+  {
+    return ChildProcess(command).wait();
+  }
+
+  std::vector<std::string> tool(const std::vector<std::string> &arguments)
+  {
+    std::vector<std::string> words{SWIMTWIN_TOOL};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    return words;
+  }
+
+  Outcome run_tool(const std::vector<std::string> &arguments)
+  {
+    return run({tool(arguments)});
+  }
+
+  void expect_failure(const Outcome &outcome, const int exit_code, const std::vector<std::string> &parts)
+  {
+    EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_EQ(outcome.err.substr(0, 10), "swimtwin: ") << outcome.err;
+    for (const auto &part : parts)
+      expect_in(outcome.err, part);
+  }
+} // namespace swimtwin

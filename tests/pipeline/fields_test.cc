@@ -1,0 +1,56 @@
+#include <tests/pipeline/simulation.h>
+
+namespace swimtwin
+{
+  namespace
+  {
+    /// Half a period of 10 steps, with fields at every other one.
+    const ShrunkScene half_a_period = coarse_swimmer(20, 0.5).with({"output.fields_per_period=10"});
+
+    /// What check_fields.py prints: the times of the tail's fields.
+    std::string checked_times(const std::filesystem::path &fields)
+    {
+      const double  end_time_s = 0.5 / 0.9;
+      const Outcome outcome    = run({{SWIMTWIN_PYTHON, std::string(SWIMTWIN_CHECKS) + "/check_fields.py", fields,
+                                       std::to_string(end_time_s * 1e9) + "e-9"}});
+      EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+      return outcome.out;
+    }
+  } // namespace
+
+  TEST(Fields, AreQuadraticFiniteAndLeadToTheEnd)
+  {
+    const TemporaryFolder folder;
+    simulate(half_a_period, folder.path);
+    const auto times = checked_times(folder.path / "fields");
+    EXPECT_EQ(std::count(times.begin(), times.end(), ' '), 5) << times; // six instants: 0, 2, ..., 10 steps
+  }
+
+  TEST(Fields, AreThereAfterARemeshToo)
+  {
+    const TemporaryFolder folder;
+    simulate(half_a_period.with({"numerics.remesh_every_steps=1"}), folder.path);
+    checked_times(folder.path / "fields");
+  }
+
+  TEST(Fields, OfAResumedRunAreThoseOfAnUninterruptedOne)
+  {
+    const TemporaryFolder folder;
+    simulate(half_a_period, folder.path / "whole");
+    {
+      ChildProcess interrupted({tool(simulate_arguments(half_a_period, folder.path / "resumed"))});
+      ASSERT_TRUE(interrupted.wait_for_file(folder.path / "resumed/fields/tail-0003.vtu"));
+      ASSERT_TRUE(interrupted.kill());
+    }
+    simulate(half_a_period, folder.path / "resumed", {"--resume"});
+    EXPECT_EQ(checked_times(folder.path / "resumed/fields"), checked_times(folder.path / "whole/fields"));
+  }
+
+  TEST(Fields, OfAnEarlierRunAreReplacedOnlyWithForceAndThenAsAWhole)
+  {
+    const TemporaryFolder folder;
+    simulate(half_a_period.with({"output.fields_per_period=20"}), folder.path);
+    simulate(half_a_period, folder.path, {"--force"});
+    checked_times(folder.path / "fields");
+  }
+} // namespace swimtwin

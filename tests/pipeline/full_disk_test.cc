@@ -1,0 +1,92 @@
+#include <tests/pipeline/simulation.h>
+
+#include <sys/mount.h>
+
+namespace swimtwin
+{
+  namespace
+  {
+    /// A file system of a given size, as long as a test. Only root may make one.
+    class SmallDisk
+    {
+    public:
+      explicit SmallDisk(const std::string &size)
+          : is_there(mount("tmpfs", folder_.path.c_str(), "tmpfs", 0, ("size=" + size).c_str()) == 0)
+      {
+      }
+      SmallDisk(const SmallDisk &)            = delete;
+      SmallDisk &operator=(const SmallDisk &) = delete;
+      ~SmallDisk()
+      {
+        if (is_there)
+          umount(folder_.path.c_str());
+      }
+
+      std::filesystem::path path() const { return folder_.path; }
+
+    private:
+      TemporaryFolder folder_;
+
+    public:
+      const bool is_there;
+    };
+
+    void expect_no_results_in(const std::filesystem::path &folder)
+    {
+      for (const auto &entry : std::filesystem::recursive_directory_iterator(folder))
+        EXPECT_TRUE(entry.is_directory()) << entry.path() << " of " << entry.file_size() << " bytes is left";
+    }
+
+    const ShrunkScene run_without_checkpoint = coarse_swimmer(20, 0.1), run_with_checkpoint = coarse_swimmer(20, 0.5),
+                      run_with_fields = run_without_checkpoint.with({"output.fields_per_period=20"});
+  } // namespace
+
+  TEST(FullDisk, EndsARunWithOneSentenceAndNoPartialFile)
+  {
+    for (const auto &scene : {run_without_checkpoint, run_with_checkpoint, run_with_fields})
+    {
+      const SmallDisk disk("8k");
+      if (!disk.is_there)
+        GTEST_SKIP() << "no right to mount a small disk";
+      expect_failure(run_tool(simulate_arguments(scene, disk.path())), 1, {disk.path().string(), "space"});
+      expect_no_results_in(disk.path());
+    }
+  }
+
+  TEST(FullDisk, EndsAResistanceWithOneSentenceAndNoPartialFile)
+  {
+    const SmallDisk disk("4k");
+    if (!disk.is_there)
+      GTEST_SKIP() << "no right to mount a small disk";
+    std::ofstream(disk.path() / "filler") << std::string(4000, 'x');
+    std::vector<std::string> arguments{"resistance", "--output", disk.path()};
+    for (const auto &word : run_without_checkpoint.arguments())
+      arguments.push_back(word);
+    expect_failure(run_tool(arguments), 1, {"resistance.json", "space"});
+    EXPECT_EQ(n_files(disk.path()), 1);
+  }
+
+  // The same for those who may not mount: files can be opened but not grow.
+  TEST(FullDisk, FilesThatCannotGrowEndARunToo)
+  {
+    for (const auto &scene : {run_without_checkpoint, run_with_checkpoint, run_with_fields})
+    {
+      const TemporaryFolder folder;
+      expect_failure(run({tool(simulate_arguments(scene, folder.path / "run")), 2000}), 1,
+                     {"cannot write", (folder.path / "run").string()});
+      expect_no_results_in(folder.path);
+    }
+  }
+
+  // What was there before is there afterwards.
+  TEST(FullDisk, AFailedForceKeepsTheOldResultItCouldNotReplace)
+  {
+    const TemporaryFolder    folder;
+    const auto               file = folder.write("resistance.json", "an earlier result");
+    std::vector<std::string> arguments{"resistance", "--force", "--output", folder.path};
+    for (const auto &word : run_without_checkpoint.arguments())
+      arguments.push_back(word);
+    expect_failure(run({tool(arguments), 1000}), 1, {"cannot write", "resistance.json"});
+    EXPECT_EQ(content(file), "an earlier result");
+  }
+} // namespace swimtwin

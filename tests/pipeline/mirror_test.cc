@@ -1,0 +1,35 @@
+#include <tests/pipeline/simulation.h>
+
+#include <cmath>
+
+namespace swimtwin
+{
+  namespace
+  {
+    const std::string mirrored_field = "field.by_T=-5e-3";
+  } // namespace
+
+  // Reflected at y = 0 a run is the same arithmetic with other signs; only orders of summation may differ.
+  TEST(Mirror, AMirroredFieldOnAMirroredMeshGivesTheMirroredMotion)
+  {
+    const auto   scene  = coarse_swimmer(40, 1.);
+    const Motion motion = simulate(scene);
+    const Motion image  = simulate(scene.with({mirrored_field, "numerics.mirror_meshes=true"}));
+    ASSERT_EQ(motion.summary.n_remeshes + image.summary.n_remeshes, 0);
+    EXPECT_LE(mirrored_distance(motion.trajectory, image.trajectory), 1e-9);
+    for (std::size_t i = 0; i < motion.trajectory.size(); ++i)
+      EXPECT_NEAR(motion.trajectory[i].head_angle_rad, -image.trajectory[i].head_angle_rad, 1e-8);
+  }
+
+  // Meshes as they come, ten of them: what is left is the noise of meshing.
+  TEST(Mirror, WithRemeshingTheDisplacementIsTheSameToAFifthOfAPercent)
+  {
+    const ShrunkScene scene{"reference-2d-casefile",
+                            {"time.periods=2", "time.steps_per_period=50", "numerics.remesh_every_steps=10"}};
+    const Motion      motion = simulate(scene), image = simulate(scene.with({mirrored_field}));
+    EXPECT_GE(motion.summary.n_remeshes, 8);
+    EXPECT_GE(image.summary.n_remeshes, 8);
+    const double displacement = motion.summary.net_displacement_m;
+    EXPECT_NEAR(image.summary.net_displacement_m, displacement, 0.002 * std::abs(displacement));
+  }
+} // namespace swimtwin

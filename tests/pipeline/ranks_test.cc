@@ -1,0 +1,43 @@
+#include <tests/pipeline/simulation.h>
+
+#include <cstdlib>
+
+namespace swimtwin
+{
+  namespace
+  {
+    Outcome simulate_on_two_ranks(const ShrunkScene &scene, const std::filesystem::path &folder)
+    {
+      // Open MPI: allow root, more ranks than cores, and let ranks that wait give their core away.
+      setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
+      setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
+      setenv("OMPI_MCA_mpi_yield_when_idle", "1", 1);
+      std::vector<std::string> words{"mpirun", "--oversubscribe", "-n", "2"};
+      for (const auto &word : tool(simulate_arguments(scene, folder)))
+        words.push_back(word);
+      return run({words});
+    }
+  } // namespace
+
+  // Two ranks add the same numbers in another order: round-off, amplified by what the linear solver leaves
+  // (1e-11 of the solution, 20 steps).
+  TEST(Ranks, TwoRanksMoveLikeOne)
+  {
+    const TemporaryFolder folder;
+    const auto            scene   = coarse_swimmer(100, 0.2).with({"numerics.linear_tolerance=1e-11"});
+    const Outcome         outcome = simulate_on_two_ranks(scene, folder.path);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Motion two = read_motion(folder.path), one = simulate(scene);
+    EXPECT_EQ(one.trajectory.size(), 21);
+    EXPECT_LE(distance(one.trajectory, two.trajectory), 1e-8);
+    EXPECT_LE(largest_angle_difference(one.trajectory, two.trajectory), 1e-8);
+  }
+
+  TEST(Ranks, BadInputEndsBothRanksWithItsExitCode)
+  {
+    const TemporaryFolder folder;
+    const Outcome outcome = simulate_on_two_ranks(coarse_swimmer(20, 1.).with({"tail.length_m=-1"}), folder.path);
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+    expect_in(outcome.err, "length_m");
+  }
+} // namespace swimtwin

@@ -1,0 +1,147 @@
+#include <tests/pipeline/simulation.h>
+
+namespace swimtwin
+{
+  namespace
+  {
+    // A checkpoint is written ten times a period: here every fourth step. Remeshing stands for the mesh's history.
+    const ShrunkScene scene = coarse_swimmer(40, 1.).with({"numerics.remesh_every_steps=15"});
+
+    /// What resuming may change: nothing but round-off, which the coupling and linear tolerances hide.
+    constexpr double tolerance = 1e-9;
+
+    enum class Moment { before_first_checkpoint, after_first_checkpoint };
+
+    /// Start a run and kill -9 it.
+    void interrupt(const ShrunkScene &what, const std::filesystem::path &folder, const Moment moment)
+    {
+      ChildProcess run({tool(simulate_arguments(what, folder))});
+      const bool   checkpoint = moment == Moment::after_first_checkpoint;
+      ASSERT_TRUE(run.wait_for_file(checkpoint ? folder / "checkpoint.h5" : folder));
+      ASSERT_TRUE(run.kill());
+      ASSERT_FALSE(std::filesystem::exists(folder / "trajectory.csv"));
+      ASSERT_EQ(std::filesystem::exists(folder / "checkpoint.h5"), checkpoint);
+    }
+
+    void expect_the_uninterrupted_motion(const std::filesystem::path &folder)
+    {
+      const Motion whole = simulate(scene), resumed = read_motion(folder);
+      EXPECT_LE(distance(resumed.trajectory, whole.trajectory), tolerance);
+      EXPECT_LE(largest_angle_difference(resumed.trajectory, whole.trajectory), tolerance);
+      EXPECT_EQ(resumed.summary.status, "completed");
+      EXPECT_EQ(resumed.summary.n_steps, whole.summary.n_steps);
+      EXPECT_EQ(resumed.summary.n_remeshes, whole.summary.n_remeshes);
+      EXPECT_EQ(n_files(folder), 3) << "something is left over beside trajectory, summary and snapshots";
+    }
+
+    std::vector<std::string> contents(const std::filesystem::path &folder)
+    {
+      std::vector<std::string> result;
+      for (const char *file : {"trajectory.csv", "summary.json", "snapshots.h5"})
+        result.push_back(content(folder / file));
+      return result;
+    }
+  } // namespace
+
+  TEST(Resume, AKilledRunContinuesToTheSameTrajectory)
+  {
+    const TemporaryFolder folder;
+    const auto            run = folder.path / "run";
+    interrupt(scene, run, Moment::after_first_checkpoint);
+    simulate(scene, run, {"--resume"});
+    expect_the_uninterrupted_motion(run);
+  }
+
+  TEST(Resume, ARunThatIsKilledTwiceContinuesToTheSameTrajectory)
+  {
+    const TemporaryFolder folder;
+    const auto            run = folder.path / "run";
+    interrupt(scene, run, Moment::after_first_checkpoint);
+    {
+      ChildProcess again({tool(simulate_arguments(scene, run, {"--resume"}))});
+      const auto   first_checkpoint = std::filesystem::last_write_time(run / "checkpoint.h5");
+      while (std::filesystem::exists(run / "checkpoint.h5") &&
+             std::filesystem::last_write_time(run / "checkpoint.h5") == first_checkpoint)
+        ASSERT_FALSE(again.wait_for_file(run / "trajectory.csv"));
+      ASSERT_TRUE(again.kill());
+    }
+    simulate(scene, run, {"--resume"});
+    expect_the_uninterrupted_motion(run);
+  }
+
+  TEST(Resume, ARunThatIsKilledBeforeItsFirstCheckpointStartsAfresh)
+  {
+    const TemporaryFolder folder;
+    const auto            run = folder.path / "run";
+    interrupt(scene, run, Moment::before_first_checkpoint);
+    simulate(scene, run, {"--resume"});
+    expect_the_uninterrupted_motion(run);
+  }
+
+  TEST(Resume, ACompleteRunIsSaidToBeCompleteAndLeftAsItIs)
+  {
+    const TemporaryFolder folder;
+    const auto            short_run = coarse_swimmer(20, 0.2);
+    simulate(short_run, folder.path);
+    const auto before = contents(folder.path);
+    expect_in(simulate(short_run, folder.path, {"--resume"}).out, "complete");
+    EXPECT_EQ(contents(folder.path), before);
+  }
+
+  TEST(Resume, OfACompleteRunWithOtherSettingsIsRefused)
+  {
+    const TemporaryFolder folder;
+    const auto            short_run = coarse_swimmer(20, 0.2);
+    simulate(short_run, folder.path);
+    const auto before = contents(folder.path);
+    const auto other  = short_run.with({"tail.young_modulus_Pa=9e4"});
+    expect_failure(run_tool(simulate_arguments(other, folder.path, {"--resume"})), 2, {"another scene"});
+    EXPECT_EQ(contents(folder.path), before);
+  }
+
+  TEST(Resume, WithOtherSettingsOrAnotherSceneIsRefused)
+  {
+    const TemporaryFolder folder;
+    const auto            run = folder.path / "run";
+    interrupt(scene, run, Moment::after_first_checkpoint);
+    const auto  checkpoint = content(run / "checkpoint.h5");
+    ShrunkScene other      = scene;
+    other.name             = "reference-2d-paper";
+    for (const auto &wrong : {scene.with({"tail.young_modulus_Pa=9e4"}), other})
+      expect_failure(run_tool(simulate_arguments(wrong, run, {"--resume"})), 2, {"checkpoint.h5", "--force"});
+    EXPECT_EQ(content(run / "checkpoint.h5"), checkpoint);
+  }
+
+  TEST(Resume, AnInterruptedRunIsNotOverwrittenByANewOneWithoutForce)
+  {
+    const TemporaryFolder folder;
+    const auto            run = folder.path / "run";
+    interrupt(scene, run, Moment::after_first_checkpoint);
+    expect_failure(run_tool(simulate_arguments(scene, run)), 2, {"--resume", "--force"});
+  }
+
+  // The files of the older run must not pass for those of the interrupted one.
+  TEST(Resume, AfterForceAndAnEarlyKillDoesNotTakeTheOldResultsForNew)
+  {
+    const TemporaryFolder folder;
+    const auto            old_run = coarse_swimmer(20, 0.2), new_run = coarse_swimmer(40, 1.);
+    simulate(old_run, folder.path);
+    {
+      ChildProcess run({tool(simulate_arguments(new_run, folder.path, {"--force"}))});
+      ASSERT_FALSE(run.wait_for_file(folder.path / "checkpoint.h5") && !run.kill());
+    }
+    std::filesystem::remove(folder.path / "checkpoint.h5"); // as if it had been killed earlier
+    const Outcome outcome = run_tool(simulate_arguments(new_run, folder.path, {"--resume"}));
+    if (outcome.exit_code == 0)
+      EXPECT_EQ(read_motion(folder.path).trajectory.size(), 41);
+    else
+      EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+  }
+
+  TEST(Resume, ADamagedCheckpointIsRefused)
+  {
+    const TemporaryFolder folder;
+    folder.write("checkpoint.h5", "not a checkpoint");
+    expect_failure(run_tool(simulate_arguments(scene, folder.path, {"--resume"})), 2, {"checkpoint.h5"});
+  }
+} // namespace swimtwin

@@ -1,0 +1,59 @@
+#include <tests/pipeline/simulation.h>
+
+#include <datasets/scene.h>
+
+namespace swimtwin
+{
+  namespace
+  {
+    std::vector<std::string> shipped_scenes()
+    {
+      std::vector<std::string> names;
+      for (const auto &entry : std::filesystem::directory_iterator(SWIMTWIN_SCENES))
+        if (entry.path().extension() == ".toml")
+          names.push_back(entry.path().stem());
+      std::sort(names.begin(), names.end());
+      return names;
+    }
+
+    /// A few steps on coarse meshes: of a periodic field 2 of its first 20 steps, without one all that there are.
+    ShrunkScene shrunk(const std::string &name)
+    {
+      const ShrunkScene whole{name, {"numerics.mesh_growth=0.6"}};
+      const Scene       scene = read_scene(std::filesystem::path(SWIMTWIN_SCENES) / (name + ".toml"));
+      if (scene.field.period_s() > 0.)
+        return whole.with({"time.periods=0.1", "time.steps_per_period=20"});
+      return whole.with({"time.steps=" + std::to_string(std::min(scene.time.steps_per_period, 5)),
+                         "time.duration_s=" + std::to_string(scene.time.period_s)});
+    }
+
+    class ShippedScene : public testing::TestWithParam<std::string>
+    {
+    };
+  } // namespace
+
+  TEST_P(ShippedScene, CanBePlannedByItsName)
+  {
+    const Outcome outcome = run_tool({"plan", GetParam()});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    expect_in(outcome.out, GetParam());
+  }
+
+  TEST_P(ShippedScene, Runs)
+  {
+    const ShrunkScene     scene = shrunk(GetParam());
+    const TemporaryFolder folder;
+    ASSERT_EQ(simulate(scene, folder.path).exit_code, 0);
+    const Motion motion = read_motion(folder.path);
+    EXPECT_EQ(motion.summary.status, "completed");
+    EXPECT_GE(motion.trajectory.size(), 2);
+    EXPECT_EQ(std::filesystem::exists(folder.path / "snapshots.h5"),
+              GetParam() != "rigid-swimmer" && GetParam() != "rotating-disc");
+  }
+
+  INSTANTIATE_TEST_SUITE_P(All, ShippedScene, testing::ValuesIn(shipped_scenes()), [](const auto &info) {
+    std::string name = info.param;
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+  });
+} // namespace swimtwin

@@ -1,0 +1,94 @@
+#include <tests/pipeline/simulation.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace swimtwin
+{
+  ShrunkScene ShrunkScene::with(const std::vector<std::string> &more) const
+  {
+    ShrunkScene scene = *this;
+    scene.settings.insert(scene.settings.end(), more.begin(), more.end());
+    return scene;
+  }
+
+  std::vector<std::string> ShrunkScene::arguments() const
+  {
+    const bool               is_shipped = std::filesystem::path(name).extension() != ".toml";
+    std::vector<std::string> arguments{is_shipped ? std::string(SWIMTWIN_SCENES) + "/" + name + ".toml" : name};
+    for (const auto &setting : settings)
+      arguments.insert(arguments.end(), {"--set", setting});
+    return arguments;
+  }
+
+  ShrunkScene coarse_swimmer(const int steps_per_period, const double periods)
+  {
+    return {"reference-2d-casefile",
+            {"numerics.mesh_growth=1.0", "time.steps_per_period=" + std::to_string(steps_per_period),
+             "time.periods=" + std::to_string(periods)}};
+  }
+
+  std::vector<std::string> simulate_arguments(const ShrunkScene &scene, const std::filesystem::path &folder,
+                                              const std::vector<std::string> &options)
+  {
+    std::vector<std::string> arguments{"simulate"};
+    for (const auto &more : {scene.arguments(), {"--output", folder.string()}, options})
+      arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  }
+
+  Outcome simulate(const ShrunkScene &scene, const std::filesystem::path &folder,
+                   const std::vector<std::string> &options)
+  {
+    const Outcome outcome = run_tool(simulate_arguments(scene, folder, options));
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return outcome;
+  }
+
+  Motion read_motion(const std::filesystem::path &folder)
+  {
+    return {read_run_summary_json(folder / "summary.json").summary, read_trajectory_csv(folder / "trajectory.csv")};
+  }
+
+  Motion simulate(const ShrunkScene &scene)
+  {
+    const TemporaryFolder folder;
+    if (simulate(scene, folder.path).exit_code != 0)
+      throw std::runtime_error("the simulation failed");
+    return read_motion(folder.path);
+  }
+
+  double distance(const Trajectory &a, const Trajectory &b, const std::size_t stride)
+  {
+    if ((a.size() - 1) * stride + 1 != b.size())
+      return std::numeric_limits<double>::infinity();
+    double largest = 0.;
+    for (std::size_t i = 0; i < a.size(); ++i)
+    {
+      const TrajectoryRow &p = a[i], &q = b[i * stride];
+      EXPECT_NEAR(p.time_s, q.time_s, 1e-12);
+      largest = std::max({largest, std::hypot(p.head_x_m - q.head_x_m, p.head_y_m - q.head_y_m),
+                          std::hypot(p.tail_tip_x_m - q.tail_tip_x_m, p.tail_tip_y_m - q.tail_tip_y_m)});
+    }
+    return largest / body_length_m;
+  }
+
+  double mirrored_distance(const Trajectory &a, Trajectory b)
+  {
+    for (TrajectoryRow &row : b)
+    {
+      row.head_y_m     = -row.head_y_m;
+      row.tail_tip_y_m = -row.tail_tip_y_m;
+    }
+    return distance(a, b);
+  }
+
+  double largest_angle_difference(const Trajectory &a, const Trajectory &b)
+  {
+    double largest = 0.;
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+      largest = std::max({largest, std::abs(a[i].head_angle_rad - b[i].head_angle_rad),
+                          std::abs(a[i].tail_angle_rad - b[i].tail_angle_rad)});
+    return largest;
+  }
+} // namespace swimtwin

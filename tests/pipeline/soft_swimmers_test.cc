@@ -1,0 +1,42 @@
+#include <tests/pipeline/simulation.h>
+
+#include <cmath>
+
+namespace swimtwin
+{
+  namespace
+  {
+    struct SoftSwimmer
+    {
+      const char *name, *scene, *young_modulus, *magnetization, *frequency;
+    };
+
+    const SoftSwimmer paper{"Paper", "reference-2d-paper", "2e5", "1e5", "0.2"};
+    const SoftSwimmer casefile{"Casefile", "reference-2d-casefile", "8e4", "2e5", "0.3"};
+
+    class SlowField : public testing::TestWithParam<std::tuple<SoftSwimmer, int>>
+    {
+    };
+  } // namespace
+
+  // Low frequencies swing the head by more than 60 degrees: a scheme of one solve per step turned tail triangles inside
+  // out here.
+  TEST_P(SlowField, IsSwumThroughWithTheBalanceClosed)
+  {
+    const auto &[swimmer, n] = GetParam();
+    const auto motion        = simulate({swimmer.scene,
+                                         {std::string("tail.young_modulus_Pa=") + swimmer.young_modulus,
+                                          std::string("head.magnetization_A_m=") + swimmer.magnetization,
+                                          std::string("field.frequency_Hz=") + swimmer.frequency, "time.periods=1",
+                                          "time.steps_per_period=" + std::to_string(n), "numerics.mesh_growth=0.6"}});
+    EXPECT_EQ(motion.summary.status, "completed");
+    EXPECT_EQ(motion.trajectory.size(), n + 1);
+    EXPECT_LE(std::abs(motion.summary.power_imbalance), 0.01);
+  }
+
+  INSTANTIATE_TEST_SUITE_P(HardCases, SlowField,
+                           testing::Combine(testing::Values(paper, casefile), testing::Values(40, 80)),
+                           [](const auto &info) {
+                             return std::get<0>(info.param).name + std::to_string(std::get<1>(info.param));
+                           });
+} // namespace swimtwin

@@ -1,0 +1,127 @@
+#include <tests/pipeline/simulation.h>
+
+#include <Eigen/Dense>
+#include <nlohmann/json.hpp>
+
+namespace swimtwin
+{
+  namespace
+  {
+    const ShrunkScene short_run = coarse_swimmer(20, 0.1);
+
+    Outcome run_verb(const std::string &verb, const ShrunkScene &scene, const std::vector<std::string> &options)
+    {
+      std::vector<std::string> arguments{verb};
+      for (const auto &more : {scene.arguments(), options})
+        arguments.insert(arguments.end(), more.begin(), more.end());
+      return run_tool(arguments);
+    }
+
+    Eigen::Matrix3d resistance(const std::vector<std::string> &settings)
+    {
+      const TemporaryFolder folder;
+      const Outcome outcome = run_verb("resistance", short_run.with(settings), {"--output", folder.path.string()});
+      EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+      const auto      json = nlohmann::json::parse(content(folder.path / "resistance.json"));
+      Eigen::Matrix3d matrix;
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+          matrix(i, j) = json["matrix"][i][j];
+      EXPECT_EQ(json["order"], (nlohmann::json{"Ux", "Uy", "omega"}));
+      EXPECT_TRUE(json["provenance"].contains("scene_hash"));
+      return matrix;
+    }
+
+    /// Lengths scaled away, so that eigenvalues of entries with different units can be compared.
+    Eigen::Matrix3d without_units(const Eigen::Matrix3d &matrix)
+    {
+      const Eigen::Vector3d scale(1., 1., 1. / body_length_m);
+      return scale.asDiagonal() * matrix * scale.asDiagonal();
+    }
+  } // namespace
+
+  TEST(Verbs, EveryOneExplainsItself)
+  {
+    for (const std::vector<std::string> &arguments : {std::vector<std::string>{"--help"},
+                                                      {"plan", "--help"},
+                                                      {"simulate", "--help"},
+                                                      {"resistance", "--help"},
+                                                      {"demo", "--help"}})
+    {
+      const Outcome outcome = run_tool(arguments);
+      EXPECT_EQ(outcome.exit_code, 0);
+      EXPECT_GT(outcome.out.size(), 100);
+      EXPECT_EQ(outcome.err, "");
+    }
+    EXPECT_EQ(run_tool({"--version"}).exit_code, 0);
+  }
+
+  TEST(Verbs, UnknownOnesUnknownOptionsAndMissingArgumentsAreRefused)
+  {
+    expect_failure(run_tool({"swim"}), 2, {"swim", "--help"});
+    expect_failure(run_tool({}), 2, {"--help"});
+    expect_failure(run_tool({"simulate", "open-2d", "--output", "unused", "--fast"}), 2, {"--fast", "--help"});
+    expect_failure(run_tool({"simulate", "open-2d"}), 2, {"--output", "--help"});
+    expect_failure(run_tool({"simulate", "--output", "unused"}), 2, {"scene", "--help"});
+    expect_failure(run_tool({"simulate", "open-2d", "--output"}), 2, {"--output", "--help"});
+    EXPECT_FALSE(std::filesystem::exists("unused"));
+  }
+
+  TEST(Verbs, PlanSaysWhatARunTakesAndWritesNothing)
+  {
+    const TemporaryFolder folder;
+    const Outcome         outcome = run_verb("plan", short_run, {});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    for (const char *part : {"unknowns", "steps", "time", "memory", "Skipped"})
+      expect_in(outcome.out, part);
+    EXPECT_EQ(run_verb("plan", short_run, {"--output", folder.path.string()}).exit_code, 0);
+    EXPECT_EQ(n_files(folder.path), 1) << "more than plan.txt";
+  }
+
+  TEST(Verbs, PlanFindsTheUnknownsThatTheRunSolves)
+  {
+    const Outcome outcome = run_verb("plan", short_run, {});
+    const Motion  motion  = simulate(short_run);
+    expect_in(outcome.out, " " + std::to_string(motion.summary.n_unknowns) + "\n");
+  }
+
+  TEST(Verbs, ResistanceIsSymmetricPositiveDefiniteAndProportionalToViscosity)
+  {
+    const Eigen::Matrix3d matrix = without_units(resistance({}));
+    EXPECT_LE((matrix - matrix.transpose()).norm(), 1e-9 * matrix.norm());
+    EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(matrix).eigenvalues().minCoeff(), 0.);
+    const Eigen::Matrix3d twice = without_units(resistance({"fluid.viscosity_Pa_s=3.04"}));
+    EXPECT_LE((twice - 2. * matrix).norm(), 1e-9 * twice.norm());
+    // A slender body resists sideways motion more than lengthwise motion.
+    EXPECT_GT(matrix(1, 1), matrix(0, 0));
+  }
+
+  TEST(Verbs, QuietOnesPrintNothing)
+  {
+    for (const char *verb : {"plan", "simulate", "resistance"})
+    {
+      const TemporaryFolder folder;
+      const Outcome outcome = run_verb(verb, short_run, {"--output", (folder.path / "run").string(), "--quiet"});
+      EXPECT_EQ(outcome.exit_code, 0);
+      EXPECT_EQ(outcome.out + outcome.err, "") << verb;
+    }
+  }
+
+  TEST(Verbs, WithoutATerminalThereIsNoProgressBar)
+  {
+    const TemporaryFolder folder;
+    const Outcome         outcome = simulate(short_run, folder.path);
+    EXPECT_EQ(outcome.err, "");
+    expect_in(outcome.out, "power imbalance");
+  }
+
+  TEST(Verbs, DemoSwimsTheReferenceSwimmer)
+  {
+    const TemporaryFolder folder;
+    const Outcome outcome = run_tool({"demo", "--output", folder.path / "run", "--set", "time.periods=1", "--set",
+                                      "time.steps_per_period=20", "--set", "numerics.mesh_growth=1"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_TRUE(std::filesystem::exists(folder.path / "run/trajectory.csv"));
+    expect_in(outcome.out, "displacement");
+  }
+} // namespace swimtwin
