@@ -30,14 +30,28 @@ namespace swimtwin
       return;
 
     tail_                    = std::make_unique<TailMesh<dim>>(make_tail_mesh(outline, scene.numerics, communicator));
-    const LameConstants lame = lame_constants(scene.tail->young_modulus_Pa, scene.tail->poisson_ratio);
-    elasticity_              = std::make_unique<ElasticTail<dim>>(tail_->mesh, make_law<dim>(scene.tail->law, lame));
     const unsigned int first = outline.upper_head.size() - 1;
     for (unsigned int i = 0; i < tail_->surface_nodes.size(); ++i)
       tail_node_of_surface_[first + i] = tail_->surface_nodes[i];
+    if (scene.numerics.tail_order == 1)
+      straighten_tail();
+    const LameConstants lame = lame_constants(scene.tail->young_modulus_Pa, scene.tail->poisson_ratio);
+    elasticity_              = std::make_unique<ElasticTail<dim>>(tail_->mesh, make_law<dim>(scene.tail->law, lame));
     is_clamped_.assign(tail_->mesh.n_nodes(), 0);
     for (const auto node : tail_->clamped_nodes)
       is_clamped_[node] = 1;
+  }
+
+  template <int dim>
+  void Swimmer<dim>::straighten_tail()
+  {
+    // Linear displacements turn a cell rigidly only if its edges are straight.
+    auto &mesh = tail_->mesh;
+    for (unsigned int e = 0; e < mesh.edges().size(); ++e)
+      mesh.nodes[mesh.n_vertices() + e] = .5 * (mesh.nodes[mesh.edges()[e][0]] + mesh.nodes[mesh.edges()[e][1]]);
+    for (unsigned int k = 0; k < surface_at_rest_.size(); ++k)
+      if (tail_node_of_surface_[k] >= 0)
+        surface_at_rest_[k] = mesh.nodes[tail_node_of_surface_[k]];
   }
 
   template <int dim>

@@ -76,6 +76,7 @@ namespace swimtwin
     const Scene &scene() const { return scene_; }
 
   private:
+    void                   straighten_tail();
     dealii::Tensor<1, dim> effective_gravity(double body_density_kg_m3, double time_s) const;
 
     const Scene                      &scene_;

@@ -64,13 +64,6 @@ namespace swimtwin
         return f;
       }
 
-      /// With both displacements equal the tangent is the exact one.
-      void force_and_tangent(const unsigned int cell, const NodalField<2> &d, ElasticTail<2>::CellForce &f,
-                             ElasticTail<2>::CellTangent &K) const
-      {
-        elasticity.cell_force_and_tangent(cell, d, d, f, K);
-      }
-
       double sum_of_norms(const NodalField<2> &f) const
       {
         double sum = 0.;
@@ -127,7 +120,7 @@ namespace swimtwin
     for (unsigned int c = 0; c < tail.mesh.n_cells(); c += 7)
     {
       elasticity.cell_force(c, d, other);
-      force_and_tangent(c, d, f, K);
+      elasticity.cell_force_and_tangent(c, d, f, K);
       for (unsigned int i = 0; i < f.size(); ++i)
         EXPECT_NEAR(f[i], other[i],
                     1e-12 * young * 1e-4); // sums in another order; a force is at most about young * cell size
@@ -156,7 +149,7 @@ namespace swimtwin
     ElasticTail<2>::CellTangent K;
     for (unsigned int c = 0; c < tail.mesh.n_cells(); ++c)
     {
-      force_and_tangent(c, d, f, K);
+      elasticity.cell_force_and_tangent(c, d, f, K);
       for (unsigned int i = 0; i < f.size(); ++i)
         for (unsigned int j = 0; j < i; ++j)
           EXPECT_NEAR(K[i][j], K[j][i], 1e-12 * young);

@@ -1,7 +1,6 @@
 #include <tests/pipeline/child_process.h>
 
 #include <fcntl.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -14,32 +13,25 @@ namespace swimtwin
   namespace
   {
     // Only calls that are safe between fork and exec.
-    [[noreturn]] void become(const Command &command, char *const *words, const char *out, const char *err)
+    [[noreturn]] void become(char *const *words, const char *out, const char *err)
     {
       dup2(open(out, O_WRONLY | O_CREAT, 0600), STDOUT_FILENO);
       dup2(open(err, O_WRONLY | O_CREAT, 0600), STDERR_FILENO);
-      if (command.largest_file_bytes)
-      {
-        const rlimit limit{*command.largest_file_bytes, *command.largest_file_bytes};
-        setrlimit(RLIMIT_FSIZE, &limit);
-        signal(SIGXFSZ, SIG_IGN); // writes then fail instead of ending the process
-      }
       execvp(words[0], words);
       _exit(127);
     }
   } // namespace
 
-  ChildProcess::ChildProcess(const Command &command)
+  ChildProcess::ChildProcess(std::vector<std::string> words)
   {
-    std::vector<std::string> words = command.words;
-    std::vector<char *>      pointers;
+    std::vector<char *> pointers;
     for (auto &word : words)
       pointers.push_back(word.data());
     pointers.push_back(nullptr);
     const std::string out = folder_.path / "out", err = folder_.path / "err";
     pid_ = fork();
     if (pid_ == 0)
-      become(command, pointers.data(), out.c_str(), err.c_str());
+      become(pointers.data(), out.c_str(), err.c_str());
     if (pid_ < 0)
       ADD_FAILURE() << "cannot start " << words[0];
   }
@@ -87,9 +79,9 @@ namespace swimtwin
     return false;
   }
 
-  Outcome run(const Command &command)
+  Outcome run(const std::vector<std::string> &words)
   {
-    return ChildProcess(command).wait();
+    return ChildProcess(words).wait();
   }
 
   std::vector<std::string> tool(const std::vector<std::string> &arguments)
@@ -101,7 +93,7 @@ namespace swimtwin
 
   Outcome run_tool(const std::vector<std::string> &arguments)
   {
-    return run({tool(arguments)});
+    return run(tool(arguments));
   }
 
   void expect_failure(const Outcome &outcome, const int exit_code, const std::vector<std::string> &parts)

@@ -18,18 +18,11 @@ namespace swimtwin
     std::string out, err;
   };
 
-  struct Command
-  {
-    std::vector<std::string> words;
-    /// Larger files cannot be written, as on a full disk.
-    std::optional<std::size_t> largest_file_bytes = {};
-  };
-
   /// Started by the constructor, killed by the destructor if it still runs.
   class ChildProcess
   {
   public:
-    explicit ChildProcess(const Command &command);
+    explicit ChildProcess(std::vector<std::string> words);
     ChildProcess(const ChildProcess &)            = delete;
     ChildProcess &operator=(const ChildProcess &) = delete;
     ~ChildProcess();
@@ -49,7 +42,7 @@ namespace swimtwin
     std::optional<int> status_;
   };
 
-  Outcome run(const Command &command);
+  Outcome run(const std::vector<std::string> &words);
 
   /// The tool with these arguments.
   std::vector<std::string> tool(const std::vector<std::string> &arguments);

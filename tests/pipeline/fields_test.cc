@@ -11,8 +11,8 @@ namespace swimtwin
     std::string checked_times(const std::filesystem::path &fields)
     {
       const double  end_time_s = 0.5 / 0.9;
-      const Outcome outcome    = run({{SWIMTWIN_PYTHON, std::string(SWIMTWIN_CHECKS) + "/check_fields.py", fields,
-                                       std::to_string(end_time_s * 1e9) + "e-9"}});
+      const Outcome outcome    = run({SWIMTWIN_PYTHON, std::string(SWIMTWIN_CHECKS) + "/check_fields.py", fields,
+                                      std::to_string(end_time_s * 1e9) + "e-9"});
       EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
       return outcome.out;
     }
@@ -38,7 +38,7 @@ namespace swimtwin
     const TemporaryFolder folder;
     simulate(half_a_period, folder.path / "whole");
     {
-      ChildProcess interrupted({tool(simulate_arguments(half_a_period, folder.path / "resumed"))});
+      ChildProcess interrupted(tool(simulate_arguments(half_a_period, folder.path / "resumed")));
       ASSERT_TRUE(interrupted.wait_for_file(folder.path / "resumed/fields/tail-0003.vtu"));
       ASSERT_TRUE(interrupted.kill());
     }

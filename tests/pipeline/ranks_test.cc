@@ -15,7 +15,7 @@ namespace swimtwin
       std::vector<std::string> words{"mpirun", "--oversubscribe", "-n", "2"};
       for (const auto &word : tool(simulate_arguments(scene, folder)))
         words.push_back(word);
-      return run({words});
+      return run(words);
     }
   } // namespace
 

@@ -15,7 +15,7 @@ namespace swimtwin
     /// Start a run and kill -9 it.
     void interrupt(const ShrunkScene &what, const std::filesystem::path &folder, const Moment moment)
     {
-      ChildProcess run({tool(simulate_arguments(what, folder))});
+      ChildProcess run(tool(simulate_arguments(what, folder)));
       const bool   checkpoint = moment == Moment::after_first_checkpoint;
       ASSERT_TRUE(run.wait_for_file(checkpoint ? folder / "checkpoint.h5" : folder));
       ASSERT_TRUE(run.kill());
@@ -58,7 +58,7 @@ namespace swimtwin
     const auto            run = folder.path / "run";
     interrupt(scene, run, Moment::after_first_checkpoint);
     {
-      ChildProcess again({tool(simulate_arguments(scene, run, {"--resume"}))});
+      ChildProcess again(tool(simulate_arguments(scene, run, {"--resume"})));
       const auto   first_checkpoint = std::filesystem::last_write_time(run / "checkpoint.h5");
       while (std::filesystem::exists(run / "checkpoint.h5") &&
              std::filesystem::last_write_time(run / "checkpoint.h5") == first_checkpoint)
@@ -86,6 +86,18 @@ namespace swimtwin
     const auto before = contents(folder.path);
     expect_in(simulate(short_run, folder.path, {"--resume"}).out, "complete");
     EXPECT_EQ(contents(folder.path), before);
+  }
+
+  // As after a disk that was full, or a kill, while the results were written.
+  TEST(Resume, WritesTheResultsThatAreMissing)
+  {
+    const TemporaryFolder folder;
+    const auto            short_run = coarse_swimmer(20, 0.2);
+    simulate(short_run, folder.path);
+    std::filesystem::remove(folder.path / "summary.json");
+    std::filesystem::remove(folder.path / "snapshots.h5");
+    simulate(short_run, folder.path, {"--resume"});
+    EXPECT_EQ(n_files(folder.path), 3);
   }
 
   TEST(Resume, OfACompleteRunWithOtherSettingsIsRefused)
@@ -127,7 +139,7 @@ namespace swimtwin
     const auto            old_run = coarse_swimmer(20, 0.2), new_run = coarse_swimmer(40, 1.);
     simulate(old_run, folder.path);
     {
-      ChildProcess run({tool(simulate_arguments(new_run, folder.path, {"--force"}))});
+      ChildProcess run(tool(simulate_arguments(new_run, folder.path, {"--force"})));
       ASSERT_FALSE(run.wait_for_file(folder.path / "checkpoint.h5") && !run.kill());
     }
     std::filesystem::remove(folder.path / "checkpoint.h5"); // as if it had been killed earlier

@@ -11,6 +11,11 @@ namespace swimtwin
       const char *name, *scene, *young_modulus, *magnetization, *frequency;
     };
 
+    void PrintTo(const SoftSwimmer &swimmer, std::ostream *stream) // how GoogleTest names a case
+    {
+      *stream << swimmer.name;
+    }
+
     const SoftSwimmer paper{"Paper", "reference-2d-paper", "2e5", "1e5", "0.2"};
     const SoftSwimmer casefile{"Casefile", "reference-2d-casefile", "8e4", "2e5", "0.3"};
 
