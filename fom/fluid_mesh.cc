@@ -16,6 +16,7 @@ namespace swimtwin
     {
       std::string name;
       PlanarCurve curve;
+      bool        backwards = false; ///< divided from its end, as the mirror image of another curve
     };
 
     /// Outer boundary, counter-clockwise from the middle of its left side, so that mirrored domains have mirrored
@@ -23,17 +24,21 @@ namespace swimtwin
     std::vector<WallCurve> outer_walls(const Domain &domain, const Point<2> &c)
     {
       const auto line = [](const char *name, const Point<2> &a, const Point<2> &b) {
-        return WallCurve{name, PlanarCurve::line(a, b)};
+        return WallCurve{name, PlanarCurve::line(a, b), false};
+      };
+      const auto back = [](const char *name, const Point<2> &a, const Point<2> &b) {
+        return WallCurve{name, PlanarCurve::line(a, b), true};
       };
       if (domain.shape == DomainShape::box || domain.shape == DomainShape::channel)
       {
         const double a = domain.size_m[0] / 2, b = domain.size_m[1] / 2;
         const double l = c[0] - a, r = c[0] + a, d = c[1] - b, u = c[1] + b;
         return {line("left", {l, c[1]}, {l, d}),  line("bottom", {l, d}, {r, d}), line("right", {r, d}, {r, c[1]}),
-                line("right", {r, c[1]}, {r, u}), line("top", {r, u}, {l, u}),    line("left", {l, u}, {l, c[1]})};
+                back("right", {r, u}, {r, c[1]}), back("top", {l, u}, {r, u}),    back("left", {l, c[1]}, {l, u})};
       }
       const std::array<double, 2> radii = {domain.radius_m, domain.radius_m};
-      return {{"outer", PlanarCurve::arc(c, radii, -pi, 0.)}, {"outer", PlanarCurve::arc(c, radii, 0., pi)}};
+      return {{"outer", PlanarCurve::arc(c, radii, -pi, 0.), false},
+              {"outer", PlanarCurve::arc(c, radii, pi, 0.), true}};
     }
 
     std::vector<WallCurve> inner_walls(const Domain &domain, const Point<2> &c)
@@ -41,7 +46,8 @@ namespace swimtwin
       if (domain.shape != DomainShape::annulus)
         return {};
       const std::array<double, 2> radii = {domain.inner_radius_m, domain.inner_radius_m};
-      return {{"inner", PlanarCurve::arc(c, radii, -pi, 0.)}, {"inner", PlanarCurve::arc(c, radii, 0., pi)}};
+      return {{"inner", PlanarCurve::arc(c, radii, -pi, 0.), false},
+              {"inner", PlanarCurve::arc(c, radii, pi, 0.), true}};
     }
 
     bool is_round(const Domain &domain)
@@ -59,9 +65,11 @@ namespace swimtwin
     WallLoop divide_walls(const std::vector<WallCurve> &walls, const SizeField &size, const bool round)
     {
       WallLoop loop;
-      for (const auto &[name, curve] : walls)
+      for (const auto &[name, curve, backwards] : walls)
       {
-        const auto nodes = divide(curve, size, round ? 16 : 2);
+        auto nodes = divide(curve, size, round ? 16 : 2);
+        if (backwards)
+          std::reverse(nodes.begin(), nodes.end());
         loop.nodes.insert(loop.nodes.end(), nodes.begin(), nodes.end() - 1);
         loop.wall_of_edge.insert(loop.wall_of_edge.end(), nodes.size() / 2, name);
       }

@@ -131,7 +131,10 @@ namespace swimtwin
       solves_with_factors_ = 0;
       effort_with_factors_ = options_.factorization_effort;
       if (!has_factors_)
+      {
+        check(KSPReset(ksp_), "dropped failed factors");
         return false;
+      }
     }
     const ScopedCpuTime time(counts_.solve_cpu_s);
     check(KSPSetReusePreconditioner(ksp_, PETSC_TRUE), "set up a solver");

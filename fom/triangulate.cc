@@ -106,6 +106,37 @@ namespace swimtwin
       return soup;
     }
 
+    using Segment = std::array<Point<2>, 2>;
+
+    double turn(const Point<2> &a, const Point<2> &b, const Point<2> &c)
+    {
+      return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+    }
+
+    bool cross(const Segment &s, const Segment &t)
+    {
+      return turn(s[0], s[1], t[0]) * turn(s[0], s[1], t[1]) < 0. &&
+             turn(t[0], t[1], s[0]) * turn(t[0], t[1], s[1]) < 0.;
+    }
+
+    /// gmsh 4.8 ends the process when outlines cross: it throws inside a parallel region. So they are checked before.
+    bool outlines_cross(const PlanarRegion &region)
+    {
+      std::vector<Segment> segments;
+      const auto           append = [&](const std::vector<Point<2>> &polygon) {
+        for (unsigned int i = 0; i < polygon.size(); ++i)
+          segments.push_back({polygon[i], polygon[(i + 1) % polygon.size()]});
+      };
+      append(region.outer);
+      for (const auto &hole : region.holes)
+        append(hole);
+      for (unsigned int i = 0; i < segments.size(); ++i)
+        for (unsigned int j = 0; j < i; ++j)
+          if (cross(segments[i], segments[j]))
+            return true;
+      return false;
+    }
+
     SimplexSoup<2> triangulate_here(const PlanarRegion &region)
     {
       GmshSession::start();
@@ -198,6 +229,8 @@ namespace swimtwin
     /// Mesh on this rank; an empty soup and a message if that fails.
     std::pair<SimplexSoup<2>, std::string> try_to_triangulate(const PlanarRegion &region)
     {
+      if (outlines_cross(region))
+        return {{}, "the body's surface crosses itself or a wall"};
       std::string message = "gmsh returned no triangles";
       try
       {

@@ -48,7 +48,7 @@ namespace swimtwin
       }
       FullMatrix<double> dense_K() const
       {
-        FullMatrix<double> A(8, 8);
+        FullMatrix<double> A(map.n_rows(), map.n_rows()); // the head's own rows have no cell here
         for (int c = 0; c < 2; ++c)
           for (int i = 0; i < 5; ++i)
             for (int j = 0; j < 5; ++j)
@@ -78,7 +78,7 @@ namespace swimtwin
     system.set_matrix(condensation.values());
 
     const unsigned int n = map.n_unknowns();
-    FullMatrix<double> expected(n, n), KP(8, n);
+    FullMatrix<double> expected(n, n), KP(map.n_rows(), n);
     const auto         P = cells.dense_P(), K = cells.dense_K();
     K.mmult(KP, P);
     P.Tmmult(expected, KP);

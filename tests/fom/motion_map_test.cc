@@ -105,6 +105,8 @@ namespace swimtwin
     EXPECT_LE((small.at(rows, 8) - .5 * velocity(small.X5)).norm(), rounding)
         << "mean of a clamped node and one at rest";
     EXPECT_EQ(small.at(rows, 4).norm(), 0.);
+    for (int k = 0; k < n_rigid<dim>; ++k)
+      EXPECT_NEAR(rows[small.map.head_row(k)], k < dim ? U[k] : omega[k - dim], rounding) << "the head's own row";
   }
 
   TYPED_TEST(MotionMapTest, TiedRowsAreTheMeanOfTheirMasters)
@@ -139,8 +141,14 @@ namespace swimtwin
                  b  = std::inner_product(y.begin(), y.end(), transposed.begin(), 0.);
     EXPECT_NEAR(a, b, 100. * rounding);
 
-    // Force and torque on the head are those entries, the torque without its scale.
-    const auto load = small.map.load_on_head(f);
+    // Force and torque that loads on nodes exert on the head are those entries, the torque without its scale.
+    auto nodal = f;
+    for (int k = 0; k < n_rigid<dim>; ++k)
+      nodal[small.map.head_row(k)] = 0.;
+    transposed.assign(y.size(), 0.);
+    for (unsigned int row = 0; row < nodal.size(); ++row)
+      small.map.add_load(row, nodal[row], transposed);
+    const auto load = small.map.load_on_head(nodal);
     for (int i = 0; i < n_rigid<dim>; ++i)
       EXPECT_NEAR(load[i], transposed[small.map.first_head_unknown() + i] * (i < dim ? 1. : length_scale),
                   10. * rounding);

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <thread>
 
@@ -67,16 +68,21 @@ namespace swimtwin
     return {exited ? WEXITSTATUS(*status_) : -1, content(folder_.path / "out"), content(folder_.path / "err")};
   }
 
-  bool ChildProcess::wait_for_file(const std::filesystem::path &file)
+  bool ChildProcess::wait_until(const std::function<bool()> &condition)
   {
     using namespace std::chrono;
     for (const auto end = steady_clock::now() + minutes(1); steady_clock::now() < end && !has_ended();)
     {
-      if (std::filesystem::exists(file))
+      if (condition())
         return true;
       std::this_thread::sleep_for(milliseconds(1));
     }
     return false;
+  }
+
+  bool ChildProcess::wait_for_file(const std::filesystem::path &file)
+  {
+    return wait_until([&] { return std::filesystem::exists(file); });
   }
 
   Outcome run(const std::vector<std::string> &words)

@@ -5,7 +5,7 @@
 
 #include <sys/types.h>
 
-#include <chrono>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,7 +31,8 @@ namespace swimtwin
     bool kill();
     /// Wait for its end.
     Outcome wait();
-    /// Wait until a file exists; false if the process ends before, or a minute passes.
+    /// Wait until something is so; false if the process ends before, or a minute passes.
+    bool wait_until(const std::function<bool()> &condition);
     bool wait_for_file(const std::filesystem::path &file);
 
   private:

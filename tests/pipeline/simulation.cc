@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <stdexcept>
 
 namespace swimtwin
 {
@@ -73,14 +75,12 @@ namespace swimtwin
     return largest / body_length_m;
   }
 
-  double mirrored_distance(const Trajectory &a, Trajectory b)
+  Trajectory mirrored(Trajectory trajectory)
   {
-    for (TrajectoryRow &row : b)
-    {
-      row.head_y_m     = -row.head_y_m;
-      row.tail_tip_y_m = -row.tail_tip_y_m;
-    }
-    return distance(a, b);
+    for (TrajectoryRow &row : trajectory)
+      for (double *value : {&row.head_y_m, &row.head_angle_rad, &row.tail_tip_y_m, &row.tail_angle_rad})
+        *value = -*value;
+    return trajectory;
   }
 
   double largest_angle_difference(const Trajectory &a, const Trajectory &b)

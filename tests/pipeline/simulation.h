@@ -49,7 +49,7 @@ namespace swimtwin
   /// Largest distance of head or tail tip between two motions, in body lengths. The second may have more rows in
   /// between: its every `stride`th row is compared.
   double distance(const Trajectory &a, const Trajectory &b, std::size_t stride = 1);
-  /// The same with b's coordinates reflected at y = 0.
-  double mirrored_distance(const Trajectory &a, Trajectory b);
-  double largest_angle_difference(const Trajectory &a, const Trajectory &b);
+  /// The motion reflected at y = 0.
+  Trajectory mirrored(Trajectory trajectory);
+  double     largest_angle_difference(const Trajectory &a, const Trajectory &b);
 } // namespace swimtwin
