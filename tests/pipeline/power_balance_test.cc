@@ -20,7 +20,7 @@ namespace swimtwin
 
   INSTANTIATE_TEST_SUITE_P(ReferenceScenes, PowerBalance,
                            testing::Values("reference-2d-paper", "reference-2d-casefile"),
-                           [](const auto &info) { return info.index == 0 ? "Paper" : "Casefile"; });
+                           [](const auto &test) { return test.index == 0 ? "Paper" : "Casefile"; });
 
   // The first period, where nothing is periodic: there the trapezoidal rule has no better order than BDF2. A halved
   // step divides the imbalance by 4 in the limit; 3 allows for the next order at 12 steps per half swing. The

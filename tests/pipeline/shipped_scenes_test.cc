@@ -51,8 +51,8 @@ namespace swimtwin
               GetParam() != "rigid-swimmer" && GetParam() != "rotating-disc");
   }
 
-  INSTANTIATE_TEST_SUITE_P(All, ShippedScene, testing::ValuesIn(shipped_scenes()), [](const auto &info) {
-    std::string name = info.param;
+  INSTANTIATE_TEST_SUITE_P(All, ShippedScene, testing::ValuesIn(shipped_scenes()), [](const auto &test) {
+    std::string name = test.param;
     std::replace(name.begin(), name.end(), '-', '_');
     return name;
   });

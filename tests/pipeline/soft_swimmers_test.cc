@@ -41,7 +41,7 @@ namespace swimtwin
 
   INSTANTIATE_TEST_SUITE_P(HardCases, SlowField,
                            testing::Combine(testing::Values(paper, casefile), testing::Values(40, 80)),
-                           [](const auto &info) {
-                             return std::get<0>(info.param).name + std::to_string(std::get<1>(info.param));
+                           [](const auto &test) {
+                             return std::get<0>(test.param).name + std::to_string(std::get<1>(test.param));
                            });
 } // namespace swimtwin
