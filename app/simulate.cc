@@ -6,6 +6,7 @@
 
 #include <datasets/error.h>
 #include <datasets/output_folder.h>
+#include <datasets/run_summary_json.h>
 
 #include <fmt/format.h>
 
@@ -18,24 +19,37 @@ namespace swimtwin
   {
     const char *const checkpoint = "checkpoint.h5";
 
-    /// False if there is nothing left to do. Only rank 0 touches the disk; the others learn the outcome.
-    bool prepare_folder(const CommonOptions &common, const bool resume)
+    /// Whether the folder holds all results of this very scene. Throws InputError if they are of another one.
+    bool is_complete(const std::filesystem::path &folder, const Scene &scene)
     {
-      const auto has = [&](const std::string &name) { return std::filesystem::exists(common.output / name); };
+      const auto has = [&](const std::string &name) { return std::filesystem::exists(folder / name); };
+      if (!has("trajectory.csv") || !has("summary.json"))
+        return false;
+      if (read_run_summary_json(folder / "summary.json").provenance.scene_hash != scene.hash)
+        throw InputError((folder / "summary.json").string() +
+                         " belongs to another scene or to other --set values: choose " +
+                         "another --output, or start afresh with --force");
+      return has("snapshots.h5") || !scene.tail || scene.output.snapshots_per_period == 0;
+    }
+
+    /// False if there is nothing left to do. Only rank 0 touches the disk; the others learn the outcome.
+    bool prepare_folder(const CommonOptions &common, const Scene &scene, const bool resume)
+    {
+      const bool interrupted = std::filesystem::exists(common.output / checkpoint);
       if (resume)
       {
-        if (!has(checkpoint) && has("trajectory.csv"))
+        if (!interrupted && is_complete(common.output, scene))
           return false;
         prepare_output_folder(common.output, {}, true);
         return true;
       }
-      auto results = simulation_results();
-      if (has(checkpoint) && !common.force)
+      if (interrupted && !common.force)
         throw InputError((common.output / checkpoint).string() +
-                         " is there from a run that was interrupted: go on with "
+                         " is there from a run that was interrupted: go on with " +
                          "--resume, or start afresh with --force");
-      prepare_output_folder(common.output, results, common.force);
+      prepare_output_folder(common.output, simulation_results(), common.force);
       std::filesystem::remove(common.output / checkpoint);
+      std::filesystem::remove_all(common.output / "fields");
       return true;
     }
   } // namespace
@@ -44,7 +58,7 @@ namespace swimtwin
   {
     bool go_on = true;
     if (is_speaker())
-      go_on = prepare_folder(common, own.resume);
+      go_on = prepare_folder(common, scene, own.resume);
     MPI_Bcast(&go_on, sizeof go_on, MPI_BYTE, 0, MPI_COMM_WORLD);
     if (!go_on)
     {

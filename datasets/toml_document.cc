@@ -147,6 +147,10 @@ namespace swimtwin
     for (std::string ancestor = path; !ancestor.empty(); ancestor = parent_path(ancestor))
       if (const toml::node *node = find(ancestor); node != nullptr && node->source().begin.line > 0)
         return fmt::format("{}:{}", name_, node->source().begin.line);
+    // A table that only an override made has no line of its own.
+    for (const auto &[overridden, text] : overrides_)
+      if (overridden.starts_with(path + "."))
+        return text;
     return name_;
   }
 

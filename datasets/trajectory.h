@@ -23,7 +23,7 @@ namespace swimtwin
            head_torque_N     = 0.; ///< that hold a fixed head in place; else 0
     int  coupling_iterations = 0;
     int  n_unknowns          = 0;
-    bool remeshed            = false; ///< just after this instant
+    bool remeshed            = false; ///< the step to this instant made a new fluid mesh
   };
 
   using Trajectory = std::vector<TrajectoryRow>;

@@ -166,7 +166,8 @@ namespace swimtwin
                                          counts.n_step_halvings,
                                          model.linear_counts.n_solves,
                                          model.linear_counts.n_factorizations,
-                                         model.linear_counts.n_iterations};
+                                         model.linear_counts.n_iterations,
+                                         int(model.remesh_is_due)};
     file.write_vector("/numbers", numbers, number);
     file.write_vector("/integers", integer, number);
     file.write_vector("/unknowns", model.unknowns, number);
@@ -203,6 +204,7 @@ namespace swimtwin
     model.grid_step                    = count.at(0);
     model.steps_since_remeshing        = count.at(1);
     model.contraction_measured_at_step = count.at(2);
+    model.remesh_is_due                = count.at(10) != 0;
     model.counts = {count.at(3), count.at(4), count.at(5), count.at(6), number.at(7), number.at(8), number.at(9)};
     model.linear_counts   = {count.at(7), count.at(8), count.at(9), number.at(10), number.at(11), number.at(12)};
     model.unknowns        = file.read_vector("/unknowns");

@@ -69,6 +69,13 @@ namespace swimtwin
       Vector<double>                       positions_;
       MappingFEField<2, 2, Vector<double>> mapping_;
     };
+
+    std::string file_number(const unsigned int index)
+    {
+      char number[16];
+      std::snprintf(number, sizeof number, "%04u", index);
+      return number;
+    }
   } // namespace
 
   FieldOutput::FieldOutput(std::filesystem::path folder) : folder_(std::move(folder))
@@ -85,17 +92,30 @@ namespace swimtwin
     write_text_atomically(folder_ / (name + ".pvd"), pvd.str());
   }
 
-  void FieldOutput::write(const FullOrderModel<2> &model)
+  void FieldOutput::adopt(const unsigned int n_instants, const double interval_s)
   {
-    char number[16];
-    std::snprintf(number, sizeof number, "%04u", n_written_++);
-    const double time = model.now().time_s;
+    for (auto *series : {&fluid_series_, &tail_series_})
+    {
+      const std::string name = series == &fluid_series_ ? "fluid-" : "tail-";
+      for (unsigned int index = 0; index < n_instants; ++index)
+        if (const std::string file = name + file_number(index) + ".vtu"; std::filesystem::exists(folder_ / file))
+          series->emplace_back(index * interval_s, file);
+      for (unsigned int index = n_instants; std::filesystem::remove(folder_ / (name + file_number(index) + ".vtu"));
+           ++index)
+        ;
+    }
+  }
+
+  void FieldOutput::write(const FullOrderModel<2> &model, const unsigned int index)
+  {
+    const std::string number = file_number(index);
+    const double      time   = model.now().time_s;
     if (const auto values = model.fluid_values(); !values.empty())
     {
       std::vector<double> fields = values;
       for (unsigned int v = 0; v < model.fluid()->mesh().n_vertices(); ++v)
         fields[model.fluid()->numbering().pressure_index(v)] *= model.fluid()->pressure_scale();
-      const std::string file = std::string("fluid-") + number + ".vtu";
+      const std::string file = "fluid-" + number + ".vtu";
       VtuMesh(model.fluid()->numbering(), model.fluid()->positions())
           .write(folder_ / file, "velocity_m_s", "pressure_Pa", fields);
       write_series("fluid", fluid_series_, file, time);
@@ -110,7 +130,7 @@ namespace swimtwin
       for (unsigned int a = 0; a < mesh.n_nodes(); ++a)
         for (int c = 0; c < 2; ++c)
           displacement[numbering.vector_index(a, c)] = x[a][c] - rest[a][c];
-      const std::string file = std::string("tail-") + number + ".vtu";
+      const std::string file = "tail-" + number + ".vtu";
       VtuMesh(numbering, x).write(folder_ / file, "displacement_m", "", displacement);
       write_series("tail", tail_series_, file, time);
     }

@@ -14,8 +14,12 @@ namespace swimtwin
   public:
     explicit FieldOutput(std::filesystem::path folder);
 
-    /// Collective; rank 0 writes. The fluid is left out where its velocities belong to a mesh that is gone.
-    void write(const FullOrderModel<2> &model);
+    /// Instant number `index`. The fluid is left out at the start, before anything was solved. Not collective.
+    void write(const FullOrderModel<2> &model, unsigned int index);
+
+    /// After a resume: the instants before `n_instants`, `interval_s` apart, are there already; what an interrupted run
+    /// wrote after them is removed.
+    void adopt(unsigned int n_instants, double interval_s);
 
   private:
     void write_series(const std::string &name, std::vector<std::pair<double, std::string>> &series,
@@ -23,6 +27,5 @@ namespace swimtwin
 
     std::filesystem::path                       folder_;
     std::vector<std::pair<double, std::string>> fluid_series_, tail_series_;
-    unsigned int                                n_written_ = 0;
   };
 } // namespace swimtwin

@@ -75,6 +75,12 @@ namespace swimtwin
     int          largest = time_step_before_ == 0. ? ticks_of_first_step : ticks_per_step, halvings = 0;
     for (int done = 0; done < ticks_per_step;)
     {
+      // A new mesh is made just before it is needed, so that the fields of every instant can still be read.
+      if (remesh_is_due_)
+      {
+        remesh();
+        fresh_mesh = just_remeshed_ = true;
+      }
       // The largest power of two that fits the grid, is allowed, and at most doubles the last step.
       int ticks = std::min(largest, ticks_per_step);
       while (done % ticks != 0 || (time_step_before_ > 0. && ticks * tick > 2.0001 * time_step_before_))
@@ -84,7 +90,7 @@ namespace swimtwin
       {
         done += ticks;
         largest     = ticks_per_step;
-        fresh_mesh  = just_remeshed_;
+        fresh_mesh  = false;
         now_.time_s = (grid_step_ + double(done) / ticks_per_step) * scene_.time.time_step_s();
       }
       else if (fluid_ && !fresh_mesh)
@@ -286,11 +292,7 @@ namespace swimtwin
     balance_          = system_->balance(now_.configuration, now_.rates, unknowns_, now_.time_s);
     ++counts_.n_steps;
     ++steps_since_remeshing_;
-    if (fluid_ && wants_remeshing())
-    {
-      remesh();
-      just_remeshed_ = true;
-    }
+    remesh_is_due_ = fluid_ && wants_remeshing();
   }
 
   template <int dim>
@@ -321,6 +323,7 @@ namespace swimtwin
     unknowns_.clear();
     unknowns_before_.clear();
     steps_since_remeshing_ = 0;
+    remesh_is_due_         = false;
   }
 
   template <int dim>
@@ -345,6 +348,7 @@ namespace swimtwin
     state.steps_since_remeshing        = steps_since_remeshing_;
     state.unknowns                     = unknowns_;
     state.unknowns_before              = unknowns_before_;
+    state.remesh_is_due                = remesh_is_due_;
     state.contraction_value            = contraction_.value;
     state.contraction_measured_at_step = contraction_.measured_at_step;
     state.counts                       = counts_;
@@ -369,6 +373,7 @@ namespace swimtwin
     steps_since_remeshing_ = state.steps_since_remeshing;
     unknowns_              = state.unknowns;
     unknowns_before_       = state.unknowns_before;
+    remesh_is_due_         = state.remesh_is_due;
     contraction_           = {state.contraction_value, state.contraction_measured_at_step};
     counts_                = state.counts;
     linear_system_.set_counts(state.linear_counts);

@@ -36,6 +36,7 @@ namespace swimtwin
     std::vector<double>                 unknowns, unknowns_before;
     std::optional<FluidMeshRecord<dim>> fluid_mesh;
     RigidPose<dim>                      pose_at_meshing;
+    bool                                remesh_is_due                = false;
     double                              contraction_value            = 1.;
     int                                 contraction_measured_at_step = -1000;
     StepCounts                          counts;
@@ -53,8 +54,9 @@ namespace swimtwin
     /// after failures. Collective; throws ComputationError that names time, cause and remedy.
     void advance();
 
-    const Instant<dim>     &now() const { return now_; }
-    int                     coupling_iterations_of_last_step() const { return iterations_of_last_step_; }
+    const Instant<dim> &now() const { return now_; }
+    int                 coupling_iterations_of_last_step() const { return iterations_of_last_step_; }
+    /// Whether the last advance() made a new mesh.
     bool                    just_remeshed() const { return just_remeshed_; }
     const StepCounts       &counts() const { return counts_; }
     LinearSolverCounts      linear_counts() const { return linear_system_.counts(); }
@@ -63,6 +65,8 @@ namespace swimtwin
     const FluidDomain<dim> *fluid() const { return fluid_.get(); }
     /// Balance of the last accepted step (before any remeshing after it).
     const PowerBalance &balance() const { return balance_; }
+    /// Whether the next step begins with a new mesh.
+    bool remesh_is_due() const { return remesh_is_due_; }
     /// Fluid rows' values (velocities, scaled pressures) of the last accepted step, on the mesh of that step; empty
     /// just after remeshing or without fluid.
     std::vector<double> fluid_values() const;
@@ -111,6 +115,6 @@ namespace swimtwin
     Contraction         contraction_;
     StepCounts          counts_;
     int                 iterations_of_last_step_ = 0, steps_since_remeshing_ = 0;
-    bool                just_remeshed_ = false;
+    bool                just_remeshed_ = false, remesh_is_due_ = false;
   };
 } // namespace swimtwin

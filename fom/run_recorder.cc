@@ -21,8 +21,8 @@ namespace swimtwin
 
   bool RunRecorder::is_snapshot(const int grid_step) const
   {
-    const int every = std::max(1, scene_.time.steps_per_period / scene_.output.snapshots_per_period);
-    return scene_.tail && grid_step % every == 0;
+    const int per_period = scene_.output.snapshots_per_period;
+    return scene_.tail && per_period > 0 && grid_step % std::max(1, scene_.time.steps_per_period / per_period) == 0;
   }
 
   void RunRecorder::note(const FullOrderModel<2> &model, const int grid_step)

@@ -48,12 +48,15 @@ namespace swimtwin
             is_writer_(dealii::Utilities::MPI::this_mpi_process(communicator) == 0),
             checkpoint_file_(options.folder / "checkpoint.h5"), model_(scene, communicator), recorder_(scene)
       {
-        if (scene.output.fields_per_period > 0)
+        if (scene.output.fields_per_period > 0 && is_writer_)
           fields_.emplace(options.folder / "fields");
-        if (!(options.resume && std::filesystem::exists(checkpoint_file_)))
-          note(0);
-        else
+        if (options.resume && std::filesystem::exists(checkpoint_file_))
           resume();
+        else
+        {
+          note(0);
+          save(); // from here on the folder belongs to this run
+        }
       }
 
       SimulationResult finish()
@@ -75,12 +78,13 @@ namespace swimtwin
       /// Ten checkpoints a period. At each the matrix is factorised anew, so that resuming repeats the arithmetic.
       int checkpoint_interval() const { return std::max(1, scene_.time.steps_per_period / 10); }
 
+      int field_interval() const { return std::max(1, scene_.time.steps_per_period / scene_.output.fields_per_period); }
+
       void note(const int grid_step)
       {
         recorder_.note(model_, grid_step);
-        if (fields_ && grid_step % std::max(1, scene_.time.steps_per_period / scene_.output.fields_per_period) == 0 &&
-            is_writer_)
-          fields_->write(model_);
+        if (fields_ && grid_step % field_interval() == 0)
+          fields_->write(model_, grid_step / field_interval());
       }
 
       void advance_or_explain()
@@ -118,6 +122,8 @@ namespace swimtwin
         grid_step_   = checkpoint.model.grid_step;
         wall_before_ = checkpoint.wall_time_s;
         cpu_before_  = checkpoint.cpu_time_s;
+        if (fields_)
+          fields_->adopt(grid_step_ / field_interval() + 1, field_interval() * scene_.time.time_step_s());
       }
 
       RunSummary summary(const std::string &status) const
@@ -127,7 +133,7 @@ namespace swimtwin
         summarize_motion(recorder_.trajectory(), scene_.time.period_s, scene_.head.angle_rad, summary);
         const StepCounts        &counts = model_.counts();
         const LinearSolverCounts linear = model_.linear_counts();
-        summary.n_unknowns              = model_.n_unknowns();
+        summary.n_unknowns              = recorder_.trajectory().front().n_unknowns;
         summary.n_steps                 = counts.n_steps;
         summary.n_linear_solves         = linear.n_solves;
         summary.n_factorizations        = linear.n_factorizations;
@@ -154,17 +160,37 @@ namespace swimtwin
           result.snapshots = recorder_.snapshots(model_.swimmer());
         if (!is_writer_)
           return result;
-        const bool completed = status == "completed";
-        if (completed)
+        if (status == "completed")
         {
-          write_trajectory_csv(options_.folder / "trajectory.csv", result.trajectory);
-          if (scene_.tail)
-            write_snapshots(options_.folder / "snapshots.h5", result.snapshots, provenance());
-        }
-        write_run_summary_json(options_.folder / "summary.json", {result.summary, provenance()});
-        if (completed)
+          write_together(result);
           std::filesystem::remove(checkpoint_file_);
+        }
+        else
+          write_run_summary_json(options_.folder / "summary.json", {result.summary, provenance()});
         return result;
+      }
+
+      /// All results or none take their final names.
+      void write_together(const SimulationResult &result) const
+      {
+        const auto staged = options_.folder / ".results.partial";
+        std::filesystem::remove_all(staged);
+        try
+        {
+          std::filesystem::create_directory(staged);
+          write_trajectory_csv(staged / "trajectory.csv", result.trajectory);
+          if (!result.snapshots.time_s.empty())
+            write_snapshots(staged / "snapshots.h5", result.snapshots, provenance());
+          write_run_summary_json(staged / "summary.json", {result.summary, provenance()});
+        }
+        catch (...)
+        {
+          std::filesystem::remove_all(staged);
+          throw;
+        }
+        for (const auto &entry : std::filesystem::directory_iterator(staged))
+          std::filesystem::rename(entry.path(), options_.folder / entry.path().filename());
+        std::filesystem::remove_all(staged);
       }
 
       const Scene               &scene_;
@@ -188,6 +214,6 @@ namespace swimtwin
 
   std::vector<std::string> simulation_results()
   {
-    return {"trajectory.csv", "summary.json", "snapshots.h5"};
+    return {"trajectory.csv", "summary.json", "snapshots.h5", "fields"};
   }
 } // namespace swimtwin

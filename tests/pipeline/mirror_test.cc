@@ -12,7 +12,7 @@ namespace swimtwin
   // Reflected at y = 0 a run is the same arithmetic with other signs; only orders of summation may differ.
   TEST(Mirror, AMirroredFieldOnAMirroredMeshGivesTheMirroredMotion)
   {
-    const auto   scene  = coarse_swimmer(40, 1.).with({"numerics.remesh_quality=0.05"});
+    const auto   scene  = coarse_swimmer(40, 1.);
     const Motion motion = simulate(scene);
     const Motion image  = simulate(scene.with({mirrored_field, "numerics.mirror_meshes=true"}));
     ASSERT_EQ(motion.summary.n_remeshes + image.summary.n_remeshes, 0);

@@ -26,7 +26,7 @@ namespace swimtwin
   ShrunkScene coarse_swimmer(const int steps_per_period, const double periods)
   {
     return {"reference-2d-casefile",
-            {"numerics.mesh_growth=1.0", "time.steps_per_period=" + std::to_string(steps_per_period),
+            {"numerics.mesh_growth=0.6", "time.steps_per_period=" + std::to_string(steps_per_period),
              "time.periods=" + std::to_string(periods)}};
   }
 

@@ -26,7 +26,7 @@ namespace swimtwin
   /// Head and tail of the reference swimmers: the length that tolerances refer to.
   constexpr double body_length_m = 8e-3;
 
-  /// The reference swimmer of the case files on a mesh of 2,700 unknowns.
+  /// The reference swimmer of the case files on a mesh of 3,800 unknowns.
   ShrunkScene coarse_swimmer(int steps_per_period, double periods);
 
   struct Motion
