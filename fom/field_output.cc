@@ -8,7 +8,6 @@
 #include <deal.II/numerics/data_out.h>
 
 #include <cstdio>
-#include <fstream>
 #include <sstream>
 
 namespace swimtwin
@@ -49,11 +48,9 @@ namespace swimtwin
         out.attach_dof_handler(dof_handler_);
         out.add_data_vector(data, names, DataOut<2>::type_dof_data, meaning);
         out.build_patches(mapping_, 2, DataOut<2>::curved_inner_cells);
-        write_atomically(file, [&](const std::filesystem::path &temporary) {
-          std::ofstream stream(temporary);
-          stream.exceptions(std::ios::failbit | std::ios::badbit);
-          out.write_vtu(stream);
-        });
+        std::ostringstream text; // in memory first: a full disk is then noticed, and named, in one place
+        out.write_vtu(text);
+        write_text_atomically(file, text.str());
       }
 
     private:
