@@ -19,7 +19,7 @@ namespace swimtwin
     }
     double memory_MB(const double n_unknowns)
     {
-      return 210. + 0.017 * n_unknowns;
+      return 195. + 0.004 * n_unknowns;
     }
     constexpr double iterations_per_step = 1.5;
 
@@ -150,6 +150,11 @@ namespace swimtwin
                                                rest.pose);
       plan.n_fluid_cells = fluid->mesh().n_cells();
       plan.mesh_quality  = fluid->quality();
+      if (plan.mesh_quality < scene.numerics.remesh_quality)
+        plan.warnings.push_back(fmt::format(
+            "the mesh at rest has an element of quality {:.2f}, below [numerics] remesh_quality = {}: every "
+            "step would remesh; lower mesh_growth or mesh_size_m",
+            plan.mesh_quality, scene.numerics.remesh_quality));
     }
     if (swimmer.has_tail())
       plan.n_tail_cells = swimmer.tail().mesh.n_cells();
