@@ -15,48 +15,6 @@ namespace swimtwin
     {
       return swimmer.has_tail() ? std::make_unique<NodeNumbering<dim>>(swimmer.tail().mesh, false) : nullptr;
     }
-
-    /// How the shape follows from the velocities in one step: with d = known + slope d' and
-    /// w = U + omega x R (X + d) + R d', for nodes that are not clamped,
-    ///   dd = slope M (R^T (dw - dU) - domega x r - slope domega x (omega x r + d')),  M = (1 + slope omega x)^-1,
-    /// r = X + d in the head's frame. Clamped nodes have dd = 0 (docs/equations.md).
-    template <int dim>
-    class ShapeDerivative
-    {
-    public:
-      ShapeDerivative(const LinearizationPoint<dim> &point)
-          : slope_(point.slope_weight), omega_(point.rates.omega), R_(point.configuration.pose.rotation())
-      {
-        Tensor<2, dim> matrix;
-        for (int c = 0; c < dim; ++c)
-        {
-          Tensor<1, dim> unit;
-          unit[c]                     = 1.;
-          const Tensor<1, dim> column = unit + slope_ * rotational_velocity<dim>(omega_, unit);
-          for (int i = 0; i < dim; ++i)
-            matrix[i][c] = column[i];
-        }
-        M_ = invert(matrix);
-      }
-
-      const Tensor<2, dim> &rotation() const { return R_; }
-      /// dd/dw = -dd/dU.
-      Tensor<2, dim> by_velocity() const { return slope_ * (M_ * transpose(R_)); }
-      /// dd/domega_k.
-      Tensor<1, dim> by_rotation(const int k, const Tensor<1, dim> &r, const Tensor<1, dim> &shape_rate) const
-      {
-        AngularVelocity<dim> axis;
-        axis[k] = 1.;
-        return -slope_ *
-               (M_ * (rotational_velocity<dim>(axis, r) +
-                      slope_ * rotational_velocity<dim>(axis, rotational_velocity<dim>(omega_, r) + shape_rate)));
-      }
-
-    private:
-      double               slope_;
-      AngularVelocity<dim> omega_;
-      Tensor<2, dim>       R_, M_;
-    };
   } // namespace
 
   template <int dim>
@@ -157,69 +115,78 @@ namespace swimtwin
   }
 
   template <int dim>
+  void CoupledSystem<dim>::linearize_tail_cell(const unsigned int cell, const LinearizationPoint<dim> &point,
+                                               const ShapeDerivative<dim> &derivative, const NodalField<dim> &w,
+                                               TailCellSystem &system) const
+  {
+    constexpr unsigned int                 n      = ElasticTail<dim>::n_cell_dofs;
+    const auto                            &mesh   = swimmer_.tail().mesh;
+    const auto                            &nodes  = mesh.cells[cell];
+    const Tensor<2, dim>                   by_w   = derivative.by_velocity();
+    auto                                  &matrix = system.matrix;
+    typename ElasticTail<dim>::CellForce   force;
+    typename ElasticTail<dim>::CellTangent K;
+    swimmer_.elasticity().cell_force_and_tangent(cell, point.configuration.shape, force, K);
+
+    for (auto &row : matrix)
+      row.fill(0.);
+    for (unsigned int b = 0; b < nodes.size(); ++b)
+    {
+      for (int j = 0; j < dim; ++j)
+        system.velocity[b * dim + j] = w[nodes[b]][j];
+      if (swimmer_.is_clamped(nodes[b]))
+        continue; // its shape never changes
+      const Tensor<1, dim> r = mesh.nodes[nodes[b]] + point.configuration.shape[nodes[b]];
+      for (unsigned int a = 0; a < nodes.size(); ++a)
+      {
+        Tensor<2, dim> block;
+        for (int i = 0; i < dim; ++i)
+          for (int j = 0; j < dim; ++j)
+            block[i][j] = K[a * dim + i][b * dim + j];
+        block                            = derivative.rotation() * block;
+        const Tensor<2, dim> by_velocity = block * by_w;
+        for (int i = 0; i < dim; ++i)
+          for (int j = 0; j < dim; ++j)
+          {
+            matrix[a * dim + i][b * dim + j] += by_velocity[i][j];
+            matrix[a * dim + i][n + j] -= by_velocity[i][j];
+          }
+        for (int k = 0; k < n_rotations<dim>; ++k)
+        {
+          const Tensor<1, dim> by_rotation = block * derivative.by_rotation(k, r, point.rates.shape_rate[nodes[b]]);
+          for (int i = 0; i < dim; ++i)
+            matrix[a * dim + i][n + dim + k] += by_rotation[i];
+        }
+      }
+    }
+    for (unsigned int a = 0; a < nodes.size(); ++a)
+    {
+      Tensor<1, dim> f;
+      for (int i = 0; i < dim; ++i)
+        f[i] = force[a * dim + i];
+      f = derivative.rotation() * f;
+      for (int i = 0; i < dim; ++i)
+        system.load[a * dim + i] =
+            std::inner_product(matrix[a * dim + i].begin(), matrix[a * dim + i].end(), system.velocity.begin(), -f[i]);
+    }
+  }
+
+  template <int dim>
   void CoupledSystem<dim>::assemble_tail(const LinearizationPoint<dim> &point)
   {
     // Internal forces, linear in the velocities y = (w, U, omega) of the cell's nodes and the head:
     //   f(y) ~ f(y_k) + K dd/dy (y - y_k).
-    constexpr unsigned int                 n = ElasticTail<dim>::n_cell_dofs, m = n + n_rigid<dim>;
-    const ShapeDerivative<dim>             derivative(point);
-    const Tensor<2, dim>                  &R    = derivative.rotation();
-    const Tensor<2, dim>                   by_w = derivative.by_velocity();
-    const NodalField<dim>                  w    = swimmer_.tail_velocities(point.configuration, point.rates);
-    const auto                            &mesh = swimmer_.tail().mesh;
-    typename ElasticTail<dim>::CellForce   force;
-    typename ElasticTail<dim>::CellTangent K;
-    std::array<std::array<double, m>, m>   matrix{};
-    std::array<double, m>                  load{}, y;
+    const ShapeDerivative<dim> derivative(point.configuration.pose, point.rates.omega, point.slope_weight);
+    const NodalField<dim>      w = swimmer_.tail_velocities(point.configuration, point.rates);
+    TailCellSystem             system;
     for (int c = 0; c < dim; ++c)
-      y[n + c] = point.rates.velocity[c];
+      system.velocity[ElasticTail<dim>::n_cell_dofs + c] = point.rates.velocity[c];
     for (int k = 0; k < n_rotations<dim>; ++k)
-      y[n + dim + k] = point.rates.omega[k];
-
+      system.velocity[ElasticTail<dim>::n_cell_dofs + dim + k] = point.rates.omega[k];
     for (unsigned int number = 0; number < tail_cells_.size(); ++number)
     {
-      const auto &nodes = mesh.cells[tail_cells_[number]];
-      swimmer_.elasticity().cell_force_and_tangent(tail_cells_[number], point.configuration.shape, force, K);
-      for (unsigned int a = 0; a < nodes.size(); ++a)
-      {
-        Tensor<1, dim>                               f;
-        Tensor<2, dim>                               by_U;
-        std::array<Tensor<1, dim>, n_rotations<dim>> by_omega;
-        for (int i = 0; i < dim; ++i)
-          f[i] = force[a * dim + i];
-        f = R * f;
-        for (unsigned int b = 0; b < nodes.size(); ++b)
-        {
-          Tensor<2, dim> block;
-          for (int i = 0; i < dim; ++i)
-            for (int j = 0; j < dim; ++j)
-              block[i][j] = K[a * dim + i][b * dim + j];
-          block                        = R * block;
-          const bool           clamped = swimmer_.is_clamped(nodes[b]);
-          const Tensor<2, dim> turned  = clamped ? Tensor<2, dim>() : block * by_w;
-          by_U -= turned;
-          if (!clamped)
-            for (int k = 0; k < n_rotations<dim>; ++k)
-              by_omega[k] +=
-                  block * derivative.by_rotation(k, mesh.nodes[nodes[b]] + point.configuration.shape[nodes[b]],
-                                                 point.rates.shape_rate[nodes[b]]);
-          for (int i = 0; i < dim; ++i)
-            for (int j = 0; j < dim; ++j)
-              matrix[a * dim + i][b * dim + j] = turned[i][j];
-          for (int j = 0; j < dim; ++j)
-            y[b * dim + j] = w[nodes[b]][j];
-        }
-        for (int i = 0; i < dim; ++i)
-        {
-          auto &row = matrix[a * dim + i];
-          for (int j = 0; j < dim; ++j)
-            row[n + j] = by_U[i][j];
-          for (int k = 0; k < n_rotations<dim>; ++k)
-            row[n + dim + k] = by_omega[k][i];
-          load[a * dim + i] = -f[i] + std::inner_product(row.begin(), row.end(), y.begin(), 0.);
-        }
-      }
-      condensation_.add(first_tail_cell_ + number, matrix, load);
+      linearize_tail_cell(tail_cells_[number], point, derivative, w, system);
+      condensation_.add(first_tail_cell_ + number, system.matrix, system.load);
     }
     for (unsigned int a = 0; a < swimmer_.tail().mesh.n_nodes(); ++a)
     {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fom/fluid_domain.h>
+#include <fom/shape_derivative.h>
 #include <fom/swimmer.h>
 
 namespace swimtwin
@@ -56,8 +57,18 @@ namespace swimtwin
     unsigned int n_unknowns() const { return map_.n_unknowns(); }
 
   private:
-    void         describe_tail();
-    void         describe_surface();
+    void describe_tail();
+    void describe_surface();
+    /// Linearised forces of one tail cell: rows and columns are its nodes' velocities, then the head's.
+    struct TailCellSystem
+    {
+      static constexpr unsigned int              size = ElasticTail<dim>::n_cell_dofs + n_rigid<dim>;
+      std::array<std::array<double, size>, size> matrix;
+      std::array<double, size>                   load{}, velocity{};
+    };
+    void         linearize_tail_cell(unsigned int cell, const LinearizationPoint<dim> &point,
+                                     const ShapeDerivative<dim> &derivative, const NodalField<dim> &w,
+                                     TailCellSystem &system) const;
     void         assemble_tail(const LinearizationPoint<dim> &point);
     void         assemble_head(const LinearizationPoint<dim> &point);
     unsigned int tail_row(const unsigned int node, const unsigned int component) const

@@ -194,17 +194,9 @@ namespace swimtwin
 
     // w = U + omega x R (X + d) + R d', d = known + slope d': solve (1 + slope omega x) d = known + slope (R^T (w - U)
     // - omega x X).
-    Tensor<2, dim> matrix;
-    for (int c = 0; c < dim; ++c)
-    {
-      Tensor<1, dim> unit;
-      unit[c]                     = 1.;
-      const Tensor<1, dim> column = unit + slope_weight * rotational_velocity<dim>(rates.omega, unit);
-      for (int i = 0; i < dim; ++i)
-        matrix[i][c] = column[i];
-    }
-    const Tensor<2, dim> inverse = invert(matrix), Rt = transpose(next.pose.rotation());
-    const auto          &mesh = swimmer_.tail().mesh;
+    const Tensor<2, dim> inverse = inverse_of_step_rotation<dim>(rates.omega, slope_weight);
+    const Tensor<2, dim> Rt      = transpose(next.pose.rotation());
+    const auto          &mesh    = swimmer_.tail().mesh;
     next.shape.resize(mesh.n_nodes());
     for (unsigned int a = 0; a < mesh.n_nodes(); ++a)
       if (!swimmer_.is_clamped(a))

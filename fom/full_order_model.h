@@ -65,10 +65,8 @@ namespace swimtwin
     const FluidDomain<dim> *fluid() const { return fluid_.get(); }
     /// Balance of the last accepted step (before any remeshing after it).
     const PowerBalance &balance() const { return balance_; }
-    /// Whether the next step begins with a new mesh.
-    bool remesh_is_due() const { return remesh_is_due_; }
-    /// Fluid rows' values (velocities, scaled pressures) of the last accepted step, on the mesh of that step; empty
-    /// just after remeshing or without fluid.
+    /// Fluid rows' values (velocities, scaled pressures) of the last accepted step, on its mesh; empty before
+    /// the first and without fluid.
     std::vector<double> fluid_values() const;
 
     /// Collective. The next step factorises anew, so that a restored run repeats this one's arithmetic.
