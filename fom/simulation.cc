@@ -48,7 +48,10 @@ namespace swimtwin
             is_writer_(dealii::Utilities::MPI::this_mpi_process(communicator) == 0),
             checkpoint_file_(options.folder / "checkpoint.h5"), model_(scene, communicator), recorder_(scene)
       {
-        if (scene.output.fields_per_period > 0 && is_writer_)
+        if (scene.output.fields_per_period > 0 && dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)
+          throw InputError("[output] fields_per_period = " + std::to_string(scene.output.fields_per_period) +
+                           " works on one rank only for now; run without mpirun, or set it to 0");
+        if (scene.output.fields_per_period > 0)
           fields_.emplace(options.folder / "fields");
         if (options.resume && std::filesystem::exists(checkpoint_file_))
           resume();
