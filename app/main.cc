@@ -8,7 +8,9 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <cstdio>
+#include <thread>
 
 namespace
 {
@@ -17,8 +19,11 @@ namespace
   /// Say what went wrong, once. Other ranks may wait for this one for ever, so they are ended with it.
   int fail(const std::string &message, const int code)
   {
-    int n_ranks = 1;
+    int n_ranks = 1, rank = 0;
     MPI_Comm_size(MPI_COMM_WORLD, &n_ranks);
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    if (rank > 0) // most errors are noticed by all: let rank 0 speak for them and end them
+      std::this_thread::sleep_for(std::chrono::seconds(2));
     fmt::print(stderr, "swimtwin: {}\n", message);
     std::fflush(stderr);
     if (n_ranks > 1)
