@@ -1,0 +1,31 @@
+"""Runs of the release tool for the benchmarks: one process on one core, with its summary, motion and CPU time."""
+import csv
+import json
+import os
+import pathlib
+import resource
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+TOOL = pathlib.Path(os.environ.get("SWIMTWIN", ROOT / "build" / "release" / "swimtwin"))
+ENVIRONMENT = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1",
+                   OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+
+
+def run(scene, settings):
+    """One run: summary.json, the rows of trajectory.csv, CPU seconds (user and system, start to exit)."""
+    if not TOOL.exists():
+        sys.exit(f"{TOOL} is not there: run scripts/build release first, or name the tool in SWIMTWIN")
+    with tempfile.TemporaryDirectory() as folder:
+        command = [str(TOOL), "simulate", scene, "--quiet", "--force", "--output", folder]
+        for key, value in settings.items():
+            command += ["--set", f"{key}={value}"]
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        subprocess.run(command, check=True, env=ENVIRONMENT, cwd=ROOT)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        summary = json.loads((pathlib.Path(folder) / "summary.json").read_text())
+        with (pathlib.Path(folder) / "trajectory.csv").open() as file:
+            trajectory = list(csv.DictReader(file))
+    return summary, trajectory, (after.ru_utime - before.ru_utime) + (after.ru_stime - before.ru_stime)
