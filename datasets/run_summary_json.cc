@@ -26,6 +26,8 @@ namespace swimtwin
       visit("n_steps", summary.n_steps);
       visit("n_linear_solves", summary.n_linear_solves);
       visit("n_factorizations", summary.n_factorizations);
+      visit("n_tail_linear_solves", summary.n_tail_linear_solves);
+      visit("n_tail_factorizations", summary.n_tail_factorizations);
       visit("coupling_iterations_mean", summary.coupling_iterations_mean);
       visit("n_remeshes", summary.n_remeshes);
       visit("n_step_halvings", summary.n_step_halvings);

@@ -1,6 +1,7 @@
 #include <datasets/scene.h>
 
 #include <cmath>
+#include <algorithm>
 #include <numbers>
 
 namespace swimtwin
@@ -11,6 +12,11 @@ namespace swimtwin
     return shape == HeadShape::rectangle ? box : 0.25 * std::numbers::pi * box;
   }
 
+  bool Domain::has_traction_free_wall() const
+  {
+    return std::any_of(walls.begin(), walls.end(),
+                       [](const auto &entry) { return entry.second.condition == WallCondition::traction_free; });
+  }
   int TimeSettings::n_steps() const
   {
     return static_cast<int>(std::lround(periods * steps_per_period));

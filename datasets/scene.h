@@ -20,7 +20,8 @@ namespace swimtwin
   enum class WallCondition { no_slip, traction_free, moving_wall, inflow };
   enum class InflowProfile { parabolic, uniform };
   enum class Inertia { automatic, none, full };
-  enum class Coupling { monolithic, fixed_point };
+  enum class CouplingScheme { monolithic, fixed_point };
+  enum class AccelerationMethod { aitken, iqn_ils };
   enum class MeshMotion { elastic, weighted_harmonic, harmonic };
 
   /// Newtonian fluid.
@@ -52,6 +53,9 @@ namespace swimtwin
     double                      inner_radius_m     = 0.;       ///< annulus; its inner circle shares the centre
     bool                        moves_with_swimmer = false;    ///< disc only: it keeps its place relative to the head
     std::map<std::string, Wall> walls; ///< complete after reading: every wall of the shape has its entry
+
+    /// Whether the fluid can leave or enter freely somewhere, which also fixes the pressure's level.
+    bool has_traction_free_wall() const;
   };
 
   /// Rigid head; `size_m` is its full extent along x and y at rest (a disc's two diameters are equal).
@@ -118,13 +122,17 @@ namespace swimtwin
     int    remesh_every_steps = 0; ///< 0: by quality alone
 
     // coupling and solvers
-    Coupling coupling = Coupling::monolithic;
-    double   coupling_tolerance =
-        1e-6; ///< estimated error of a step's configuration: root mean square over the tail, in body lengths
-    int    max_coupling_iterations = 20;
-    double linear_tolerance        = 1e-7; ///< on the preconditioned residual, relative to the solution
-    bool   reuse_factorization     = true;
-    int    max_step_halvings       = 6;
+    CouplingScheme coupling = CouplingScheme::monolithic;
+    /// On a step's configuration, root mean square over the tail in body lengths: its estimated error (monolithic), or
+    /// the last iteration's residual (fixed-point).
+    double             coupling_tolerance      = 1e-6;
+    int                max_coupling_iterations = 20;                         ///< 200 for a fixed point
+    AccelerationMethod acceleration            = AccelerationMethod::aitken; ///< of a fixed point
+    double             relaxation              = 0.3; ///< its first factor at a full step, before anything was learnt
+    int                iqn_reused_steps        = 8;
+    double             linear_tolerance        = 1e-7; ///< on the preconditioned residual, relative to the solution
+    bool               reuse_factorization     = true;
+    int                max_step_halvings       = 6;
   };
 
   struct OutputSettings

@@ -68,10 +68,17 @@ namespace swimtwin
   };
 
   template <>
-  struct Names<Coupling>
+  struct Names<CouplingScheme>
   {
-    static constexpr std::array<std::pair<std::string_view, Coupling>, 2> list{
-        {{"monolithic", Coupling::monolithic}, {"fixed-point", Coupling::fixed_point}}};
+    static constexpr std::array<std::pair<std::string_view, CouplingScheme>, 2> list{
+        {{"monolithic", CouplingScheme::monolithic}, {"fixed-point", CouplingScheme::fixed_point}}};
+  };
+
+  template <>
+  struct Names<AccelerationMethod>
+  {
+    static constexpr std::array<std::pair<std::string_view, AccelerationMethod>, 2> list{
+        {{"aitken", AccelerationMethod::aitken}, {"iqn-ils", AccelerationMethod::iqn_ils}}};
   };
 
   template <>

@@ -29,6 +29,7 @@ namespace swimtwin
     constexpr Range quality_range{0., 1., false, true, "be at least 0 and less than 1"};
     constexpr Range order_range{1., 2., false, false, "be 1 or 2"};
     constexpr Range growth_range{0., 1., true, false, "be positive and at most 1"};
+    constexpr Range relaxation_range{0., 1., true, false, "lie between 0, excluded, and 1"};
     constexpr Range halvings_range{0., 20., false, false, "lie between 0 and 20"};
 
     template <typename Enum>
@@ -272,7 +273,12 @@ namespace swimtwin
       table.integer("remesh_every_steps", optional("", not_negative), numerics.remesh_every_steps);
       read_choice(table, "coupling", numerics.coupling);
       table.number("coupling_tolerance", optional("", tolerance_range), numerics.coupling_tolerance);
+      if (numerics.coupling == CouplingScheme::fixed_point)
+        numerics.max_coupling_iterations = 200;
       table.integer("max_coupling_iterations", optional("", at_least_one), numerics.max_coupling_iterations);
+      read_choice(table, "acceleration", numerics.acceleration);
+      table.number("relaxation", optional("", relaxation_range), numerics.relaxation);
+      table.integer("iqn_reused_steps", optional("", not_negative), numerics.iqn_reused_steps);
       table.number("linear_tolerance", optional("", tolerance_range), numerics.linear_tolerance);
       table.flag("reuse_factorization", numerics.reuse_factorization);
       table.integer("max_step_halvings", optional("", halvings_range), numerics.max_step_halvings);

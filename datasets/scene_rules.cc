@@ -84,8 +84,16 @@ namespace swimtwin
     {
       if (scene.fluid && scene.fluid->inertia == Inertia::full)
         document.refuse("fluid", "inertia", "is not available yet; use \"auto\" or \"none\".");
-      if (scene.numerics.coupling == Coupling::fixed_point)
-        document.refuse("numerics", "coupling", "is not available yet; use \"monolithic\".");
+    }
+
+    void check_coupling(const TomlDocument &document, const Scene &scene)
+    {
+      if (scene.numerics.coupling == CouplingScheme::fixed_point && scene.tail &&
+          !scene.domain->has_traction_free_wall())
+        document.refuse(
+            "numerics", "coupling",
+            "cannot be \"fixed-point\" in a domain without a traction-free wall: the shape rate it gives the "
+            "fluid changes the tail's area, and the closed fluid's volume cannot change; use \"monolithic\".");
     }
 
     void check_wall(const TomlDocument &document, const Domain &domain, const std::string &name, const Wall &wall)
@@ -290,6 +298,7 @@ namespace swimtwin
     if (scene.domain)
     {
       check_walls(document, *scene.domain);
+      check_coupling(document, scene);
       check_clearance(document, scene);
     }
     check_time(document, scene);

@@ -114,6 +114,22 @@ namespace swimtwin
     }
   } // namespace
 
+  std::vector<double> numbers_of(const TrajectoryRow &row)
+  {
+    std::vector<double> numbers;
+    for (const Column &column : columns)
+      numbers.push_back(value_of(row, column));
+    return numbers;
+  }
+
+  TrajectoryRow row_of(const std::vector<double> &numbers)
+  {
+    TrajectoryRow row;
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      set_value(row, columns[i], numbers.at(i));
+    return row;
+  }
+
   void summarize_motion(const Trajectory &trajectory, const double period_s, const double initial_angle_rad,
                         RunSummary &summary)
   {

@@ -28,6 +28,10 @@ namespace swimtwin
 
   using Trajectory = std::vector<TrajectoryRow>;
 
+  /// All fields of a row as numbers, in the order of the columns of trajectory.csv, and back.
+  std::vector<double> numbers_of(const TrajectoryRow &row);
+  TrajectoryRow       row_of(const std::vector<double> &numbers);
+
   /// What summary.json holds beside provenance.
   struct RunSummary
   {
@@ -35,6 +39,7 @@ namespace swimtwin
     std::vector<double> displacement_per_period_m; ///< of the head's centre, along the initial head-first direction
     double              net_displacement_m = 0.;   ///< of the last full period
     int                 n_unknowns = 0, n_steps = 0, n_linear_solves = 0, n_factorizations = 0;
+    int                 n_tail_linear_solves = 0, n_tail_factorizations = 0; ///< of those, on the tail alone
     double              coupling_iterations_mean = 0.;
     int                 n_remeshes = 0, n_step_halvings = 0;
     double              power_imbalance       = 0.; ///< over the last full period, relative to its magnetic work

@@ -135,47 +135,62 @@ namespace swimtwin
         mesh.wall_names.push_back(name);
       return mesh;
     }
+
+    /// One list of numbers for both directions: `visit(name, member)`.
+    template <typename CheckpointType, typename Visitor>
+    void for_each_number(CheckpointType &checkpoint, const Visitor &visit)
+    {
+      auto &model    = checkpoint.model;
+      auto &coupling = model.coupling;
+      visit("wall_time_s", checkpoint.wall_time_s);
+      visit("cpu_time_s", checkpoint.cpu_time_s);
+      visit("grid_step", model.grid_step);
+      visit("time_step_before_s", model.time_step_before_s);
+      visit("steps_since_remeshing", model.steps_since_remeshing);
+      visit("remesh_is_due", model.remesh_is_due);
+      visit("x_at_meshing_m", model.pose_at_meshing.center[0]);
+      visit("y_at_meshing_m", model.pose_at_meshing.center[1]);
+      visit("angle_at_meshing_rad", model.pose_at_meshing.angle);
+      visit("n_steps", model.counts.n_steps);
+      visit("n_remeshes", model.counts.n_remeshes);
+      visit("n_step_halvings", model.counts.n_step_halvings);
+      visit("remeshing_cpu_s", model.counts.remeshing_cpu_s);
+      visit("contraction", coupling.contraction);
+      visit("contraction_measured_at_step", coupling.contraction_measured_at_step);
+      visit("n_coupling_iterations", coupling.counts.n_iterations);
+      visit("mesh_motion_cpu_s", coupling.counts.mesh_motion_cpu_s);
+      visit("iteration_cpu_s", coupling.counts.iteration_cpu_s);
+      visit("tail_cpu_s", coupling.counts.tail_cpu_s);
+      const std::pair<const char *, decltype(&coupling.linear_counts)> systems[] = {
+          {"", &coupling.linear_counts}, {"tail_", &coupling.tail_linear_counts}};
+      for (const auto &[prefix, linear] : systems)
+      {
+        const std::string name(prefix);
+        visit(name + "n_linear_solves", linear->n_solves);
+        visit(name + "n_factorizations", linear->n_factorizations);
+        visit(name + "n_linear_iterations", linear->n_iterations);
+        visit(name + "assembly_cpu_s", linear->assembly_cpu_s);
+        visit(name + "factorization_cpu_s", linear->factorization_cpu_s);
+        visit(name + "solve_cpu_s", linear->solve_cpu_s);
+      }
+    }
   } // namespace
 
   void write_checkpoint(const std::filesystem::path &path, const Checkpoint &checkpoint, const Provenance &provenance)
   {
     Hdf5Writer  file;
-    const auto &model  = checkpoint.model;
-    const auto &counts = model.counts;
+    const auto &model = checkpoint.model;
     write_instant(file, "/now", model.now);
     write_instant(file, "/before", model.before);
-    const std::vector<double> numbers = {model.time_step_before_s,
-                                         model.pose_at_meshing.center[0],
-                                         model.pose_at_meshing.center[1],
-                                         model.pose_at_meshing.angle,
-                                         model.contraction_value,
-                                         checkpoint.wall_time_s,
-                                         checkpoint.cpu_time_s,
-                                         counts.mesh_motion_cpu_s,
-                                         counts.remeshing_cpu_s,
-                                         counts.coupling_cpu_s,
-                                         model.linear_counts.assembly_cpu_s,
-                                         model.linear_counts.factorization_cpu_s,
-                                         model.linear_counts.solve_cpu_s};
-    const std::vector<int>    integer = {model.grid_step,
-                                         model.steps_since_remeshing,
-                                         model.contraction_measured_at_step,
-                                         counts.n_steps,
-                                         counts.n_coupling_iterations,
-                                         counts.n_remeshes,
-                                         counts.n_step_halvings,
-                                         model.linear_counts.n_solves,
-                                         model.linear_counts.n_factorizations,
-                                         model.linear_counts.n_iterations,
-                                         int(model.remesh_is_due)};
-    file.write_vector("/numbers", numbers, number);
-    file.write_vector("/integers", integer, number);
-    file.write_vector("/unknowns", model.unknowns, number);
-    file.write_vector("/unknowns_before", model.unknowns_before, number);
+    file.write_vector("/unknowns", model.coupling.unknowns, number);
+    file.write_vector("/unknowns_before", model.coupling.unknowns_before, number);
     if (model.fluid_mesh)
       write_fluid_mesh(file, *model.fluid_mesh);
     file.write_matrix("/trajectory", matrix(checkpoint.rows), number);
     file.write_matrix("/shapes", matrix(checkpoint.shapes), number);
+    for_each_number(checkpoint, [&](const std::string &name, const auto value) {
+      file.write_attribute("/", name, static_cast<double>(value));
+    });
     file.write_attribute("/", "scene_hash", provenance.scene_hash);
     file.write_attribute("/", "scene_text", provenance.scene_text);
     file.write_attribute("/", "program_version", provenance.program_version);
@@ -190,25 +205,14 @@ namespace swimtwin
                        " belongs to another scene or to other --set values: resume with the scene it was "
                        "written for, or start afresh with --force");
     Checkpoint checkpoint;
-    auto      &model                   = checkpoint.model;
-    model.now                          = read_instant(file, "/now");
-    model.before                       = read_instant(file, "/before");
-    const auto number                  = file.read_vector("/numbers");
-    const auto count                   = file.read_int_vector("/integers");
-    model.time_step_before_s           = number.at(0);
-    model.pose_at_meshing.center       = Point<2>(number.at(1), number.at(2));
-    model.pose_at_meshing.angle        = number.at(3);
-    model.contraction_value            = number.at(4);
-    checkpoint.wall_time_s             = number.at(5);
-    checkpoint.cpu_time_s              = number.at(6);
-    model.grid_step                    = count.at(0);
-    model.steps_since_remeshing        = count.at(1);
-    model.contraction_measured_at_step = count.at(2);
-    model.remesh_is_due                = count.at(10) != 0;
-    model.counts = {count.at(3), count.at(4), count.at(5), count.at(6), number.at(7), number.at(8), number.at(9)};
-    model.linear_counts   = {count.at(7), count.at(8), count.at(9), number.at(10), number.at(11), number.at(12)};
-    model.unknowns        = file.read_vector("/unknowns");
-    model.unknowns_before = file.read_vector("/unknowns_before");
+    auto      &model = checkpoint.model;
+    for_each_number(checkpoint, [&](const std::string &name, auto &value) {
+      value = static_cast<std::remove_reference_t<decltype(value)>>(file.read_number_attribute("/", name));
+    });
+    model.now                      = read_instant(file, "/now");
+    model.before                   = read_instant(file, "/before");
+    model.coupling.unknowns        = file.read_vector("/unknowns");
+    model.coupling.unknowns_before = file.read_vector("/unknowns_before");
     if (file.contains("/fluid_mesh"))
       model.fluid_mesh = read_fluid_mesh(file);
     checkpoint.rows   = rows(file.read_matrix("/trajectory"));

@@ -1,5 +1,7 @@
 #include <fom/coupled_system.h>
 
+#include <fom/tail_rows.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <numeric>
@@ -31,7 +33,7 @@ namespace swimtwin
     if (fluid_)
     {
       // A tail that can change its area fixes the pressure's level by itself; a rigid body in a closed domain does not.
-      fluid_->describe(map_, !swimmer.has_tail() && !has_traction_free_wall(*swimmer.scene().domain));
+      fluid_->describe(map_, !swimmer.has_tail() && !swimmer.scene().domain->has_traction_free_wall());
       describe_surface();
     }
     std::vector<unsigned int> owner;
@@ -74,12 +76,8 @@ namespace swimtwin
       for (int c = 0; c < dim; ++c)
         if (swimmer_.is_clamped(a))
           map_.tie_to_head(tail_row(a, c), c, mesh.nodes[a]);
-        else if (a >= mesh.n_vertices() && swimmer_.scene().numerics.tail_order == 1)
-        {
-          // Linear displacement: a mid-edge node moves with the mean of the edge's ends.
-          const auto &[v, w] = mesh.edges()[a - mesh.n_vertices()];
-          map_.tie(tail_row(a, c), {tail_row(v, c), tail_row(w, c)});
-        }
+    tie_linear_tail(map_, swimmer_,
+                    [this](const unsigned int node, const unsigned int c) { return tail_row(node, c); });
   }
 
   template <int dim>
@@ -255,70 +253,6 @@ namespace swimtwin
           unknowns[map_.begin(row)->unknown] = v.tail[a][c];
       }
     return unknowns;
-  }
-
-  template <int dim>
-  NodalField<dim> CoupledSystem<dim>::tail_forces(const Configuration<dim> &configuration, const double time_s) const
-  {
-    const Tensor<2, dim>                 R    = configuration.pose.rotation();
-    const auto                          &mesh = swimmer_.tail().mesh;
-    NodalField<dim>                      result(mesh.n_nodes());
-    typename ElasticTail<dim>::CellForce force;
-    for (unsigned int c = 0; c < mesh.n_cells(); ++c)
-    {
-      swimmer_.elasticity().cell_force(c, configuration.shape, force);
-      for (unsigned int a = 0; a < n_cell_nodes<dim>; ++a)
-        for (int i = 0; i < dim; ++i)
-          result[mesh.cells[c][a]][i] += force[a * dim + i];
-    }
-    for (unsigned int a = 0; a < mesh.n_nodes(); ++a)
-      result[a] = R * result[a] - swimmer_.load_on_tail_node(a, time_s);
-    return result;
-  }
-
-  template <int dim>
-  PowerBalance CoupledSystem<dim>::balance(const Configuration<dim> &configuration, const Rates<dim> &rates,
-                                           const std::vector<double> &unknowns, const double time_s) const
-  {
-    PowerBalance        balance;
-    std::vector<double> force(map_.n_rows(), 0.);
-    if (fluid_)
-    {
-      const FluidReaction reaction = fluid_->react(map_.expand(unknowns));
-      balance.dissipation          = reaction.dissipation;
-      balance.wall                 = reaction.wall_power;
-      std::copy(reaction.force.begin(), reaction.force.end(), force.begin());
-    }
-    const double torque = swimmer_.torque_on_head(configuration.pose.angle, time_s).torque;
-    balance.magnetic    = torque * rates.omega[0];
-    balance.gravity     = swimmer_.force_on_head(time_s) * rates.velocity;
-    if (tail_numbering_)
-    {
-      balance.elastic_energy = swimmer_.elasticity().energy(configuration.shape);
-      const auto w           = swimmer_.tail_velocities(configuration, rates);
-      const auto f           = tail_forces(configuration, time_s);
-      const auto field       = swimmer_.scene().field(time_s);
-      for (unsigned int a = 0; a < w.size(); ++a)
-      {
-        Tensor<1, dim> magnetic;
-        for (int c = 0; c < dim; ++c)
-          magnetic[c] =
-              swimmer_.scene().tail->magnetization_A_m * swimmer_.elasticity().axial_gradient_of_node()[a] * field[c];
-        balance.magnetic += magnetic * w[a];
-        balance.gravity += (swimmer_.load_on_tail_node(a, time_s) - magnetic) * w[a];
-        for (int c = 0; c < dim; ++c)
-          force[tail_row(a, c)] += f[a][c];
-      }
-    }
-    if (!map_.head_is_free())
-    {
-      const auto load = map_.load_on_head(force);
-      const auto head = swimmer_.force_on_head(time_s);
-      for (int c = 0; c < dim; ++c)
-        balance.load_that_holds_head[c] = load[c] - head[c];
-      balance.load_that_holds_head[2] = load[dim] - torque;
-    }
-    return balance;
   }
 
   template class CoupledSystem<2>;

@@ -26,13 +26,6 @@ namespace swimtwin
     NodalField<dim>        tail; ///< laboratory velocities, m/s
   };
 
-  /// Powers and reactions of one accepted instant (per unit depth in 2D).
-  struct PowerBalance
-  {
-    double                magnetic = 0., gravity = 0., wall = 0., dissipation = 0., elastic_energy = 0.;
-    std::array<double, 3> load_that_holds_head = {0., 0., 0.}; ///< force x, y, torque; zero for a free head
-  };
-
   /// Lives as long as the fluid's mesh (for ever without fluid), because its pattern does.
   template <int dim>
   class CoupledSystem
@@ -50,9 +43,6 @@ namespace swimtwin
     std::vector<double> guess(const CoupledVelocities<dim> &velocities) const;
     /// Rows' values: fluid (velocities, scaled pressures), then tail.
     std::vector<double> expand(const std::vector<double> &unknowns) const { return map_.expand(unknowns); }
-
-    PowerBalance balance(const Configuration<dim> &configuration, const Rates<dim> &rates,
-                         const std::vector<double> &unknowns, double time_s) const;
 
     unsigned int n_unknowns() const { return map_.n_unknowns(); }
 
@@ -75,7 +65,6 @@ namespace swimtwin
     {
       return n_fluid_rows_ + tail_numbering_->vector_index(node, component);
     }
-    NodalField<dim> tail_forces(const Configuration<dim> &configuration, double time_s) const;
 
     const Swimmer<dim>                 &swimmer_;
     FluidDomain<dim>                   *fluid_;

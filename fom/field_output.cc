@@ -2,12 +2,10 @@
 
 #include <datasets/output_folder.h>
 
-#include <deal.II/base/mpi.h>
-#include <deal.II/fe/mapping_fe_field.h>
-#include <deal.II/lac/vector.h>
-#include <deal.II/numerics/data_out.h>
+#include <deal.II/base/data_out_base.h>
 
 #include <cstdio>
+#include <functional>
 #include <sstream>
 
 namespace swimtwin
@@ -16,56 +14,62 @@ namespace swimtwin
 
   namespace
   {
-    /// One quadratic mesh with one vector field and, for a fluid, a pressure.
-    class VtuMesh
+    /// A field to write, at every node of a mesh.
+    struct NodalData
     {
-    public:
-      VtuMesh(const NodeNumbering<2> &numbering, const std::vector<Point<2>> &positions)
-          : dof_handler_(numbering.dof_handler()), positions_(dof_handler_.n_dofs()),
-            mapping_(dof_handler_, positions_, vector_components(dof_handler_))
-      {
-        for (unsigned int node = 0; node < positions.size(); ++node)
-          for (int c = 0; c < 2; ++c)
-            positions_[numbering.vector_index(node, c)] = positions[node][c];
-      }
-
-      void write(const std::filesystem::path &file, const std::string &vector_name, const std::string &scalar_name,
-                 const std::vector<double> &values)
-      {
-        Vector<double>                                                        data(values.begin(), values.end());
-        std::vector<std::string>                                              names(2, vector_name);
-        std::vector<DataComponentInterpretation::DataComponentInterpretation> meaning(
-            2, DataComponentInterpretation::component_is_part_of_vector);
-        if (dof_handler_.get_fe().n_components() == 3)
-        {
-          names.push_back(scalar_name);
-          meaning.push_back(DataComponentInterpretation::component_is_scalar);
-        }
-        DataOut<2>            out;
-        DataOutBase::VtkFlags flags;
-        flags.write_higher_order_cells = true;
-        out.set_flags(flags);
-        out.attach_dof_handler(dof_handler_);
-        out.add_data_vector(data, names, DataOut<2>::type_dof_data, meaning);
-        out.build_patches(mapping_, 2, DataOut<2>::curved_inner_cells);
-        std::ostringstream text; // in memory first: a full disk is then noticed, and named, in one place
-        out.write_vtu(text);
-        write_text_atomically(file, text.str());
-      }
-
-    private:
-      static ComponentMask vector_components(const DoFHandler<2> &dof_handler)
-      {
-        std::vector<bool> mask(dof_handler.get_fe().n_components(), true);
-        mask.resize(2);
-        mask.resize(dof_handler.get_fe().n_components(), false);
-        return ComponentMask(mask);
-      }
-
-      const DoFHandler<2>                 &dof_handler_;
-      Vector<double>                       positions_;
-      MappingFEField<2, 2, Vector<double>> mapping_;
+      std::string                            vector_name;
+      const std::function<Tensor<1, 2>(int)> vector;
+      std::string                            scalar_name; ///< empty: no scalar
+      const std::function<double(int)>       scalar;      ///< at vertices; it is linear
     };
+
+    /// A quadratic triangle in deal.II's form for output: rows of data are field components, then coordinates. Every
+    /// rank has the whole mesh and the whole solution, so that one can write without the others.
+    DataOutBase::Patch<2> make_patch(const std::array<unsigned int, n_cell_nodes<2>> &nodes,
+                                     const std::vector<Point<2>> &positions, const NodalData &data)
+    {
+      const unsigned int    n_rows = data.scalar_name.empty() ? 4 : 5;
+      DataOutBase::Patch<2> patch;
+      patch.reference_cell       = ReferenceCells::Triangle;
+      patch.n_subdivisions       = 2;
+      patch.points_are_available = true;
+      patch.data.reinit(n_rows, n_cell_nodes<2>);
+      for (unsigned int v = 0; v < 3; ++v)
+        patch.vertices[v] = positions[nodes[v]];
+      for (unsigned int a = 0; a < n_cell_nodes<2>; ++a)
+      {
+        const Tensor<1, 2> vector = data.vector(nodes[a]);
+        for (unsigned int c = 0; c < 2; ++c)
+        {
+          patch.data(c, a)              = vector[c];
+          patch.data(n_rows - 2 + c, a) = positions[nodes[a]][c];
+        }
+        if (!data.scalar_name.empty()) // mid-edge nodes 3, 4, 5 follow the vertices 0, 1, 2
+          patch.data(2, a) =
+              a < 3 ? data.scalar(nodes[a]) : .5 * (data.scalar(nodes[a - 3]) + data.scalar(nodes[(a - 2) % 3]));
+      }
+      return patch;
+    }
+
+    void write_vtu(const std::filesystem::path &file, const SimplexMesh<2> &mesh,
+                   const std::vector<Point<2>> &positions, const NodalData &data)
+    {
+      std::vector<DataOutBase::Patch<2>> patches;
+      for (const auto &cell : mesh.cells)
+      {
+        patches.push_back(make_patch(cell, positions, data));
+        patches.back().patch_index = patches.size() - 1;
+      }
+      std::vector<std::string> names{data.vector_name, data.vector_name, data.scalar_name};
+      names.resize(data.scalar_name.empty() ? 2 : 3);
+      DataOutBase::VtkFlags flags;
+      flags.write_higher_order_cells = true;
+      std::ostringstream text; // in memory first: a full disk is then noticed, and named, in one place
+      DataOutBase::write_vtu<2, 2>(patches, names,
+                                   {{0, 1, data.vector_name, DataComponentInterpretation::component_is_part_of_vector}},
+                                   flags, text);
+      write_text_atomically(file, text.str());
+    }
 
     std::string file_number(const unsigned int index)
     {
@@ -107,28 +111,28 @@ namespace swimtwin
   {
     const std::string number = file_number(index);
     const double      time   = model.now().time_s;
-    if (const auto values = model.fluid_values(); !values.empty())
+    if (const auto values = model.coupling().fluid_values(); !values.empty())
     {
-      std::vector<double> fields = values;
-      for (unsigned int v = 0; v < model.fluid()->mesh().n_vertices(); ++v)
-        fields[model.fluid()->numbering().pressure_index(v)] *= model.fluid()->pressure_scale();
-      const std::string file = "fluid-" + number + ".vtu";
-      VtuMesh(model.fluid()->numbering(), model.fluid()->positions())
-          .write(folder_ / file, "velocity_m_s", "pressure_Pa", fields);
+      const FluidDomain<2> &fluid     = *model.fluid();
+      const auto           &numbering = fluid.numbering();
+      const std::string     file      = "fluid-" + number + ".vtu";
+      write_vtu(
+          folder_ / file, fluid.mesh(), fluid.positions(),
+          {"velocity_m_s",
+           [&](const int node) {
+             return Tensor<1, 2>({values[numbering.vector_index(node, 0)], values[numbering.vector_index(node, 1)]});
+           },
+           "pressure_Pa",
+           [&](const int vertex) { return fluid.pressure_scale() * values[numbering.pressure_index(vertex)]; }});
       write_series("fluid", fluid_series_, file, time);
     }
     if (model.swimmer().has_tail())
     {
-      const auto            &mesh = model.swimmer().tail().mesh;
-      const NodeNumbering<2> numbering(mesh, false);
-      const auto             x = model.swimmer().tail_positions(model.now().configuration);
-      std::vector<double>    displacement(numbering.size());
-      const auto             rest = model.swimmer().tail_positions(model.swimmer().configuration_at_rest());
-      for (unsigned int a = 0; a < mesh.n_nodes(); ++a)
-        for (int c = 0; c < 2; ++c)
-          displacement[numbering.vector_index(a, c)] = x[a][c] - rest[a][c];
+      const auto        x    = model.swimmer().tail_positions(model.now().configuration);
+      const auto        rest = model.swimmer().tail_positions(model.swimmer().configuration_at_rest());
       const std::string file = "tail-" + number + ".vtu";
-      VtuMesh(numbering, x).write(folder_ / file, "displacement_m", "", displacement);
+      write_vtu(folder_ / file, model.swimmer().tail().mesh, x,
+                {"displacement_m", [&](const int node) { return x[node] - rest[node]; }, "", {}});
       write_series("tail", tail_series_, file, time);
     }
   }

@@ -14,7 +14,8 @@ namespace swimtwin
   public:
     explicit FieldOutput(std::filesystem::path folder);
 
-    /// Instant number `index`, on one rank. The fluid is left out at the start, before anything was solved.
+    /// Instant number `index`; one rank can do it without the others. The fluid is left out at the start, before
+    /// anything was solved.
     void write(const FullOrderModel<2> &model, unsigned int index);
 
     /// After a resume: the instants before `n_instants`, `interval_s` apart, are there already; what an interrupted run

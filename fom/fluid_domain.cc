@@ -2,6 +2,8 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
+
 namespace swimtwin
 {
   using namespace dealii;
@@ -12,9 +14,17 @@ namespace swimtwin
         positions_(mesh().nodes), pressure_scale_(scene.fluid->viscosity_Pa_s / scene.body_length_m()),
         quality_(worst_quality(mesh(), positions_))
   {
+    std::vector<char> is_at_surface(mesh().n_nodes(), 0);
+    for (const auto node : fluid_mesh_.surface_nodes)
+      is_at_surface[node] = 1;
     for (unsigned int c = 0; c < mesh().n_cells(); ++c)
       if (mesh().is_owned(c))
+      {
         owned_cells_.push_back(c);
+        if (std::any_of(mesh().cells[c].begin(), mesh().cells[c].end(),
+                        [&](const unsigned int node) { return is_at_surface[node]; }))
+          owned_cells_at_surface_.push_back(c);
+      }
   }
 
   template <int dim>
@@ -110,16 +120,17 @@ namespace swimtwin
   }
 
   template <int dim>
-  FluidReaction FluidDomain<dim>::react(const std::vector<double> &values) const
+  double FluidDomain<dim>::add_forces(const std::vector<unsigned int> &cells, const std::vector<double> &values,
+                                      std::vector<double> &force) const
   {
-    FluidReaction        reaction{std::vector<double>(n_rows(), 0.), 0., 0.};
-    FluidCellMatrix<dim> K;
-    for (const auto c : owned_cells_)
+    constexpr unsigned int n_velocity  = n_cell_nodes<dim> * dim;
+    double                 dissipation = 0.;
+    FluidCellMatrix<dim>   K;
+    for (const auto c : cells)
     {
       map_.reinit(cell_positions<dim>(mesh().cells[c], positions_));
       stokes_cell_matrix<dim>(map_, scene_.fluid->viscosity_Pa_s, pressure_scale_, K);
-      const auto             rows       = cell_rows(c);
-      constexpr unsigned int n_velocity = n_cell_nodes<dim> * dim;
+      const auto rows = cell_rows(c);
       for (unsigned int i = 0; i < n_velocity; ++i)
       {
         double viscous = 0., total = 0.;
@@ -129,10 +140,27 @@ namespace swimtwin
           if (j < n_velocity)
             viscous = total;
         }
-        reaction.force[rows[i]] += total;
-        reaction.dissipation += values[rows[i]] * viscous;
+        force[rows[i]] += total;
+        dissipation += values[rows[i]] * viscous;
       }
     }
+    return dissipation;
+  }
+
+  template <int dim>
+  std::vector<double> FluidDomain<dim>::force_on_fluid_at_surface(const std::vector<double> &values) const
+  {
+    std::vector<double> force(n_rows(), 0.);
+    add_forces(owned_cells_at_surface_, values, force);
+    Utilities::MPI::sum(force, mesh().communicator(), force);
+    return force;
+  }
+
+  template <int dim>
+  FluidReaction FluidDomain<dim>::react(const std::vector<double> &values) const
+  {
+    FluidReaction reaction{std::vector<double>(n_rows(), 0.), 0., 0.};
+    reaction.dissipation = add_forces(owned_cells_, values, reaction.force);
     Utilities::MPI::sum(reaction.force, mesh().communicator(), reaction.force);
     reaction.dissipation = Utilities::MPI::sum(reaction.dissipation, mesh().communicator());
     for (const auto &[node, wall, name] : fluid_mesh_.wall_nodes)

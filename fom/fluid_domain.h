@@ -50,6 +50,8 @@ namespace swimtwin
 
     /// From the rows' values. Collective.
     FluidReaction react(const std::vector<double> &values) const;
+    /// The same forces, right at the rows of the swimmer's surface alone, for the price of the cells there. Collective.
+    std::vector<double> force_on_fluid_at_surface(const std::vector<double> &values) const;
 
     /// Pressure in Pa is the row's value times this.
     double pressure_scale() const { return pressure_scale_; }
@@ -63,6 +65,9 @@ namespace swimtwin
 
   private:
     std::vector<unsigned int> cell_rows(unsigned int cell) const;
+    /// Add the forces of some cells; returns their dissipation.
+    double add_forces(const std::vector<unsigned int> &cells, const std::vector<double> &values,
+                      std::vector<double> &force) const;
 
     const Scene                        &scene_;
     FluidMesh<dim>                      fluid_mesh_;
@@ -70,7 +75,7 @@ namespace swimtwin
     RigidPose<dim>                      pose_at_meshing_;
     std::unique_ptr<MeshExtension<dim>> extension_; ///< made when the swimmer first moves
     std::vector<dealii::Point<dim>>     positions_;
-    std::vector<unsigned int>           owned_cells_;
+    std::vector<unsigned int>           owned_cells_, owned_cells_at_surface_;
     double                              pressure_scale_, quality_;
     mutable IsoparametricCell<dim>      map_;
   };

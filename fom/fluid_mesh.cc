@@ -203,10 +203,4 @@ namespace swimtwin
     }
     return v;
   }
-
-  bool has_traction_free_wall(const Domain &domain)
-  {
-    return std::any_of(domain.walls.begin(), domain.walls.end(),
-                       [](const auto &entry) { return entry.second.condition == WallCondition::traction_free; });
-  }
 } // namespace swimtwin

@@ -46,7 +46,4 @@ namespace swimtwin
   /// Velocity (m/s) that a wall imposes at a point; zero for no-slip. Not for traction-free walls.
   dealii::Tensor<1, 2> wall_velocity(const Domain &domain, const std::string &wall_name, const dealii::Point<2> &x,
                                      double time_s);
-
-  /// Whether the fluid can leave or enter through a traction-free wall, which then fixes the pressure's level.
-  bool has_traction_free_wall(const Domain &domain);
 } // namespace swimtwin

@@ -1,9 +1,9 @@
 #include <fom/linear_system.h>
 
 #include <datasets/error.h>
+#include <fom/cpu_time.h>
 
 #include <cmath>
-#include <ctime>
 #include <string>
 
 namespace swimtwin
@@ -16,25 +16,6 @@ namespace swimtwin
         throw ComputationError(std::string("the linear algebra failed while it ") + what + " (PETSc error " +
                                std::to_string(code) + "): most likely memory is short; use a coarser mesh");
     }
-
-    double cpu_seconds()
-    {
-      return double(std::clock()) / CLOCKS_PER_SEC;
-    }
-
-    /// Adds the CPU time of a scope to a counter.
-    class ScopedCpuTime
-    {
-    public:
-      explicit ScopedCpuTime(double &counter) : counter_(counter), start_(cpu_seconds()) {}
-      ~ScopedCpuTime() { counter_ += cpu_seconds() - start_; }
-      ScopedCpuTime(const ScopedCpuTime &)            = delete;
-      ScopedCpuTime &operator=(const ScopedCpuTime &) = delete;
-
-    private:
-      double &counter_;
-      double  start_;
-    };
   } // namespace
 
   LinearSystem::LinearSystem(const MPI_Comm communicator, const LinearSolverOptions &options)

@@ -180,34 +180,6 @@ namespace swimtwin
       right_hand_side[term->unknown] += term->coefficient * load;
   }
 
-  template <int dim>
-  void MotionMap<dim>::add_load_on_head(const unsigned int row, const double load, Tensor<1, n_rigid<dim>> &sum) const
-  {
-    if (kind_[row] == Kind::on_head)
-    {
-      const auto &[component, X] = head_rows_[head_row_of_row_[row]];
-      sum[component] += load;
-      for (int k = 0; k < n_rotations<dim>; ++k)
-      {
-        AngularVelocity<dim> axis;
-        axis[k] = load;
-        sum[dim + k] += rotational_velocity<dim>(axis, rotation_ * X)[component];
-      }
-    }
-    else if (kind_[row] == Kind::tied)
-      for (const auto master : masters_[row])
-        add_load_on_head(master, load / masters_[row].size(), sum);
-  }
-
-  template <int dim>
-  Tensor<1, n_rigid<dim>> MotionMap<dim>::load_on_head(const std::vector<double> &loads) const
-  {
-    Tensor<1, n_rigid<dim>> sum;
-    for (unsigned int row = 0; row < n_rows(); ++row)
-      add_load_on_head(row, loads[row], sum);
-    return sum;
-  }
-
   template class NodeNumbering<2>;
   template class NodeNumbering<3>;
   template class MotionMap<2>;

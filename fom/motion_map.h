@@ -57,16 +57,22 @@ namespace swimtwin
     void impose(unsigned int row);
     /// Component c of a node of the head, or clamped to it, at X in the head frame.
     void tie_to_head(unsigned int row, unsigned int component, const dealii::Tensor<1, dim> &X);
+    /// Move such a node in the head frame; any time.
+    void move_on_head(const unsigned int row, const dealii::Tensor<1, dim> &X)
+    {
+      head_rows_[head_row_of_row_[row]].X = X;
+    }
     /// The row is the mean of other rows (one: equal to it).
     void tie(unsigned int row, std::vector<unsigned int> masters);
 
     /// Number the unknowns. `owner` tells the rank of each row; a free head belongs to the last rank.
     void close(const std::vector<unsigned int> &owner, bool head_is_free, MPI_Comm communicator);
 
-    /// Turn the head: updates the coefficients of rows that move with it. Which unknowns a row has never changes.
+    /// Turn the head: updates the coefficients of rows that move with it, also after `move_on_head`. Which unknowns a
+    /// row has never changes.
     void set_rotation(const dealii::Tensor<2, dim> &rotation);
 
-    std::vector<double> imposed; ///< constant part of every row: zero but for imposed ones
+    std::vector<double> imposed; ///< constant part of every row: zero until set
 
     unsigned int n_rows() const { return kind_.size(); }
     unsigned int n_unknowns() const { return n_unknowns_; }
@@ -81,10 +87,6 @@ namespace swimtwin
     const Term *begin(const unsigned int row) const { return terms_.data() + first_term_[row]; }
     const Term *end(const unsigned int row) const { return terms_.data() + first_term_[row + 1]; }
 
-    /// Force and torque (about the head's centre) that loads on the rows exert on the head: the reaction that moves a
-    /// free head, or that must hold a fixed one. Components as the head's unknowns, the torque not scaled.
-    dealii::Tensor<1, n_rigid<dim>> load_on_head(const std::vector<double> &loads) const;
-
     /// All rows from the unknowns: P y + imposed.
     std::vector<double> expand(const std::vector<double> &unknowns) const;
     /// Add P^T of a load on one row.
@@ -98,7 +100,6 @@ namespace swimtwin
       dealii::Tensor<1, dim> X;
     };
     void append_terms(unsigned int row, double factor);
-    void add_load_on_head(unsigned int row, double load, dealii::Tensor<1, n_rigid<dim>> &sum) const;
     void build_terms();
 
     double                                 length_scale_;

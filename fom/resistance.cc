@@ -1,7 +1,7 @@
 #include <fom/resistance.h>
 
 #include <datasets/error.h>
-#include <fom/fluid_domain.h>
+#include <fom/fluid_rigid_system.h>
 
 #include <cmath>
 
@@ -11,19 +11,6 @@ namespace swimtwin
 
   namespace
   {
-    /// Where every surface node is in the head frame, the shape included.
-    template <int dim>
-    std::vector<Tensor<1, dim>> frozen_surface(const Swimmer<dim> &swimmer, const Configuration<dim> &configuration)
-    {
-      std::vector<Tensor<1, dim>> X;
-      for (unsigned int k = 0; k < swimmer.n_surface_nodes(); ++k)
-      {
-        const int node = swimmer.tail_node(k);
-        X.push_back(swimmer.surface_at_rest(k) + (node < 0 ? Tensor<1, dim>() : configuration.shape[node]));
-      }
-      return X;
-    }
-
     template <int dim>
     double largest_asymmetry(const FullMatrix<double> &R)
     {
@@ -46,50 +33,31 @@ namespace swimtwin
                                            pose, swimmer.pose_at_rest(), scene.numerics, communicator),
                            pose);
 
-    MotionMap<dim> map(fluid.n_rows(), 0, scene.body_length_m());
-    fluid.describe(map, !has_traction_free_wall(*scene.domain));
-    const auto X = frozen_surface(swimmer, configuration);
-    for (unsigned int k = 0; k < X.size(); ++k)
-      for (int c = 0; c < dim; ++c)
-        map.tie_to_head(fluid.surface_row(k, c), c, X[k]);
-    std::vector<unsigned int> owner;
-    for (unsigned int row = 0; row < fluid.n_rows(); ++row)
-      owner.push_back(fluid.row_owner(row));
-    map.close(owner, true, communicator);
-    map.set_rotation(pose.rotation());
-
-    Condensation<dim>   condensation(map);
     LinearSolverOptions options;
     options.tolerance = 1e-13;
-    LinearSystem system(communicator, options);
-    fluid.add_cells(condensation);
-    condensation.lay_out(system);
-    condensation.reset();
-    fluid.assemble(condensation);
-    system.set_matrix(condensation.values());
+    LinearSystem          solver(communicator, options);
+    FluidRigidSystem<dim> system(swimmer, fluid, solver, true, communicator);
 
-    // Unit loads on the head's (scaled) unknowns give the columns of the scaled mobility.
+    // Unit loads give the columns of the mobility.
     constexpr int      n = n_rigid<dim>;
     FullMatrix<double> mobility(n, n);
     for (int j = 0; j < n; ++j)
     {
-      std::vector<double> load(map.n_unknowns(), 0.), motion(map.n_unknowns(), 0.);
-      if (map.last_owned() == map.n_unknowns())
-        load[map.first_head_unknown() + j] = 1.;
-      system.set_right_hand_side(load);
-      if (!system.solve(motion))
+      Tensor<1, n> unit_load;
+      unit_load[j] = 1.;
+      system.assemble(configuration, {}, std::nullopt);
+      system.add_load(unit_load);
+      std::vector<double> unknowns(system.n_unknowns(), 0.);
+      if (!system.solve(unknowns))
         throw ComputationError(
             "the Stokes problem of the resistance matrix could not be solved: change [numerics] mesh_size_m");
+      const auto velocity = system.rigid_velocity(unknowns);
       for (int i = 0; i < n; ++i)
-        mobility(i, j) = motion[map.first_head_unknown() + i];
+        mobility(i, j) = velocity[i];
     }
 
-    ResistanceResult<dim> result{FullMatrix<double>(n, n), 0., map.n_unknowns(), fluid.mesh().n_cells()};
+    ResistanceResult<dim> result{FullMatrix<double>(n, n), 0., system.n_unknowns(), fluid.mesh().n_cells()};
     result.matrix.invert(mobility);
-    const auto unit = [&](const int i) { return i < dim ? 1. : map.length_scale(); };
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; j < n; ++j)
-        result.matrix(i, j) *= unit(i) * unit(j);
     result.asymmetry = largest_asymmetry<dim>(result.matrix);
     return result;
   }

@@ -94,9 +94,16 @@ namespace swimtwin
       if (scene.numerics.reuse_factorization)
         plan.skipped.push_back(
             {"factorisations", "old factors precondition GMRES while that is cheaper than new ones"});
-      plan.skipped.push_back(
-          {"coupling iterations", fmt::format("a step ends when its estimated error is below {:.0e} body lengths",
-                                              scene.numerics.coupling_tolerance)});
+      if (is_partitioned(scene))
+        plan.solved.push_back(
+            {"coupling",
+             fmt::format("fixed point, {}, until the residual is below {:.0e} body lengths",
+                         scene.numerics.acceleration == AccelerationMethod::aitken ? "Aitken's relaxation" : "IQN-ILS",
+                         scene.numerics.coupling_tolerance)});
+      else
+        plan.skipped.push_back(
+            {"coupling iterations", fmt::format("a step ends when its estimated error is below {:.0e} body lengths",
+                                                scene.numerics.coupling_tolerance)});
     }
   } // namespace
 
@@ -158,9 +165,9 @@ namespace swimtwin
     }
     if (swimmer.has_tail())
       plan.n_tail_cells = swimmer.tail().mesh.n_cells();
-    LinearSystem           system(communicator, {});
-    const CoupledSystem<2> coupled(swimmer, fluid.get(), system, communicator);
-    plan.n_unknowns          = coupled.n_unknowns();
+    const auto coupling = make_coupling(swimmer, communicator);
+    coupling->use_fluid(fluid.get());
+    plan.n_unknowns          = coupling->n_unknowns();
     plan.estimated_time_s    = scene.time.n_steps() * iterations_per_step * seconds_per_iteration(plan.n_unknowns);
     plan.estimated_memory_MB = memory_MB(plan.n_unknowns);
     return plan;

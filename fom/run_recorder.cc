@@ -112,20 +112,16 @@ namespace swimtwin
   std::vector<std::vector<double>> RunRecorder::rows() const
   {
     std::vector<std::vector<double>> result;
-    for (const auto &r : trajectory_)
-      result.push_back({r.time_s, r.head_x_m, r.head_y_m, r.head_angle_rad, r.tail_tip_x_m, r.tail_tip_y_m,
-                        r.tail_angle_rad, r.bx_T, r.by_T, r.magnetic_power_W_m, r.external_power_W_m, r.dissipation_W_m,
-                        r.elastic_energy_J_m, r.head_force_x_N_m, r.head_force_y_N_m, r.head_torque_N,
-                        double(r.coupling_iterations), double(r.n_unknowns), double(r.remeshed)});
+    for (const auto &row : trajectory_)
+      result.push_back(numbers_of(row));
     return result;
   }
 
   void RunRecorder::restore(const std::vector<std::vector<double>> &rows, std::vector<std::vector<double>> shapes)
   {
     trajectory_.clear();
-    for (const auto &r : rows)
-      trajectory_.push_back({r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8], r[9], r[10], r[11], r[12], r[13],
-                             r[14], r[15], int(r[16]), int(r[17]), r[18] != 0.});
+    for (const auto &row : rows)
+      trajectory_.push_back(row_of(row));
     shapes_ = std::move(shapes);
   }
 } // namespace swimtwin

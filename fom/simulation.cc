@@ -4,6 +4,7 @@
 #include <datasets/output_folder.h>
 #include <datasets/run_summary_json.h>
 #include <fom/checkpoint.h>
+#include <fom/cpu_time.h>
 #include <fom/field_output.h>
 #include <fom/full_order_model.h>
 #include <fom/run_recorder.h>
@@ -13,7 +14,6 @@
 #include <sys/resource.h>
 
 #include <chrono>
-#include <ctime>
 #include <optional>
 
 namespace swimtwin
@@ -25,11 +25,6 @@ namespace swimtwin
     double seconds_since(const Clock::time_point start)
     {
       return std::chrono::duration<double>(Clock::now() - start).count();
-    }
-
-    double cpu_seconds()
-    {
-      return double(std::clock()) / CLOCKS_PER_SEC;
     }
 
     double peak_memory_MB()
@@ -48,10 +43,7 @@ namespace swimtwin
             is_writer_(dealii::Utilities::MPI::this_mpi_process(communicator) == 0),
             checkpoint_file_(options.folder / "checkpoint.h5"), model_(scene, communicator), recorder_(scene)
       {
-        if (scene.output.fields_per_period > 0 && dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)
-          throw InputError("[output] fields_per_period = " + std::to_string(scene.output.fields_per_period) +
-                           " works on one rank only for now; run without mpirun, or set it to 0");
-        if (scene.output.fields_per_period > 0)
+        if (scene.output.fields_per_period > 0 && is_writer_)
           fields_.emplace(options.folder / "fields");
         if (options.resume && std::filesystem::exists(checkpoint_file_))
           resume();
@@ -134,25 +126,29 @@ namespace swimtwin
         RunSummary summary;
         summary.status = status;
         summarize_motion(recorder_.trajectory(), scene_.time.period_s, scene_.head.angle_rad, summary);
-        const StepCounts        &counts = model_.counts();
-        const LinearSolverCounts linear = model_.linear_counts();
-        summary.n_unknowns              = recorder_.trajectory().front().n_unknowns;
-        summary.n_steps                 = counts.n_steps;
-        summary.n_linear_solves         = linear.n_solves;
-        summary.n_factorizations        = linear.n_factorizations;
-        summary.coupling_iterations_mean =
-            counts.n_steps > 0 ? double(counts.n_coupling_iterations) / counts.n_steps : 0.;
-        summary.n_remeshes         = counts.n_remeshes;
-        summary.n_step_halvings    = counts.n_step_halvings;
-        summary.wall_time_s        = wall_before_ + seconds_since(start_);
-        summary.cpu_time_s         = cpu_before_ + cpu_seconds();
-        summary.peak_memory_MB     = peak_memory_MB();
-        summary.cpu_time_of_part_s = {
-            {"factorization", linear.factorization_cpu_s},
-            {"krylov_solve", linear.solve_cpu_s},
-            {"assembly", counts.coupling_cpu_s - linear.factorization_cpu_s - linear.solve_cpu_s},
-            {"mesh_motion", counts.mesh_motion_cpu_s},
-            {"remeshing", counts.remeshing_cpu_s}};
+        const StepCounts        &counts   = model_.counts();
+        const CouplingCounts    &coupling = model_.coupling().counts();
+        const LinearSolverCounts linear   = model_.coupling().linear_counts(),
+                                 tail     = model_.coupling().tail_linear_counts();
+        summary.n_unknowns                = recorder_.trajectory().front().n_unknowns;
+        summary.n_steps                   = counts.n_steps;
+        summary.n_linear_solves           = linear.n_solves + tail.n_solves;
+        summary.n_factorizations          = linear.n_factorizations + tail.n_factorizations;
+        summary.n_tail_linear_solves      = tail.n_solves;
+        summary.n_tail_factorizations     = tail.n_factorizations;
+        summary.coupling_iterations_mean  = counts.n_steps > 0 ? double(coupling.n_iterations) / counts.n_steps : 0.;
+        summary.n_remeshes                = counts.n_remeshes;
+        summary.n_step_halvings           = counts.n_step_halvings;
+        summary.wall_time_s               = wall_before_ + seconds_since(start_);
+        summary.cpu_time_s                = cpu_before_ + cpu_seconds();
+        summary.peak_memory_MB            = peak_memory_MB();
+        summary.cpu_time_of_part_s        = {{"factorization", linear.factorization_cpu_s},
+                                             {"krylov_solve", linear.solve_cpu_s},
+                                             {"assembly", coupling.iteration_cpu_s - coupling.tail_cpu_s -
+                                                              linear.factorization_cpu_s - linear.solve_cpu_s},
+                                             {"tail_equilibrium", coupling.tail_cpu_s},
+                                             {"mesh_motion", coupling.mesh_motion_cpu_s},
+                                             {"remeshing", counts.remeshing_cpu_s}};
         return summary;
       }
 

@@ -137,12 +137,19 @@ namespace swimtwin
   template <int dim>
   Tensor<1, dim> Swimmer<dim>::load_on_tail_node(const unsigned int a, const double time_s) const
   {
-    Tensor<1, dim> load = elasticity_->volume_of_node()[a] * effective_gravity(scene_.tail->density_kg_m3, time_s);
+    return elasticity_->volume_of_node()[a] * effective_gravity(scene_.tail->density_kg_m3, time_s) +
+           magnetic_load_on_tail_node(a, time_s);
+  }
+
+  template <int dim>
+  Tensor<1, dim> Swimmer<dim>::magnetic_load_on_tail_node(const unsigned int a, const double time_s) const
+  {
+    Tensor<1, dim> load;
     if (scene_.tail->magnetization_A_m != 0.)
     {
       const auto field = scene_.field(time_s);
       for (int c = 0; c < dim; ++c)
-        load[c] += scene_.tail->magnetization_A_m * elasticity_->axial_gradient_of_node()[a] * field[c];
+        load[c] = scene_.tail->magnetization_A_m * elasticity_->axial_gradient_of_node()[a] * field[c];
     }
     return load;
   }

@@ -66,6 +66,8 @@ namespace swimtwin
 
     /// Load of field and gravity on tail node a (laboratory, N per unit depth).
     dealii::Tensor<1, dim> load_on_tail_node(unsigned int a, double time_s) const;
+    /// The field's part of it.
+    dealii::Tensor<1, dim> magnetic_load_on_tail_node(unsigned int a, double time_s) const;
     /// Force of gravity less buoyancy on the head, and the field's torque on it.
     dealii::Tensor<1, dim> force_on_head(double time_s) const;
     MagneticTorque         torque_on_head(double angle_rad, double time_s) const;

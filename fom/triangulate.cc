@@ -275,9 +275,4 @@ namespace swimtwin
       soup.vertices.emplace_back(x, y);
     return soup;
   }
-
-  std::string gmsh_version()
-  {
-    return GMSH_API_VERSION;
-  }
 } // namespace swimtwin

@@ -18,7 +18,4 @@ namespace swimtwin
   /// The polygons' points come first and unchanged: outer, then each hole. Collective: rank 0 meshes and tells the
   /// others. The same region gives the same mesh. Throws ComputationError if gmsh cannot mesh the region.
   SimplexSoup<2> triangulate(const PlanarRegion &region, MPI_Comm communicator);
-
-  /// Version of the gmsh library.
-  std::string gmsh_version();
 } // namespace swimtwin

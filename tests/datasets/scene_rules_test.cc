@@ -102,7 +102,14 @@ namespace swimtwin
   {
     expect_refused({"fluid.inertia=full"},
                    "[fluid] inertia = \"full\" is not available yet; use \"auto\" or \"none\".");
-    expect_refused({"numerics.coupling=fixed-point"}, "is not available yet; use \"monolithic\".");
+  }
+
+  TEST(SceneRules, PartitionedCouplingNeedsAnOpenDomain)
+  {
+    expect_refused({"numerics.coupling=fixed-point", "domain.walls.left=no-slip", "domain.walls.right=no-slip"},
+                   "cannot be \"fixed-point\" in a domain without a traction-free wall");
+    expect_refused({"numerics.acceleration=anderson"}, "\"aitken\"");
+    expect_refused({"numerics.relaxation=0"}, "it must lie between 0, excluded, and 1");
   }
 
   // -- parts

@@ -35,11 +35,25 @@ namespace swimtwin
     EXPECT_LE(largest_angle_difference(one.trajectory, two.trajectory), 1e-8);
   }
 
-  TEST(Ranks, BadInputEndsBothRanksWithItsExitCode)
+  TEST(Ranks, FieldsOfTwoRanksAreThoseOfOne)
+  {
+    const TemporaryFolder folder;
+    const auto            scene   = coarse_swimmer(20, 0.2).with({"output.fields_per_period=10"});
+    const Outcome         outcome = simulate_on_two_ranks(scene, folder.path / "two");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    simulate(scene, folder.path / "one");
+    const Outcome compared = run({SWIMTWIN_PYTHON, "-B", std::string(SWIMTWIN_CHECKS) + "/compare_fields.py",
+                                  folder.path / "one/fields", folder.path / "two/fields"});
+    EXPECT_EQ(compared.exit_code, 0) << compared.err;
+    EXPECT_EQ(compared.out, "5\n"); // three instants of the tail, two of the fluid
+  }
+
+  TEST(Ranks, BadInputEndsBothRanksWithOneMessageAndItsExitCode)
   {
     const TemporaryFolder folder;
     const Outcome outcome = simulate_on_two_ranks(coarse_swimmer(20, 1.).with({"tail.length_m=-1"}), folder.path);
     EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
     expect_in(outcome.err, "length_m");
+    EXPECT_EQ(outcome.err.find("swimtwin:"), outcome.err.rfind("swimtwin:")) << outcome.err;
   }
 } // namespace swimtwin

@@ -19,7 +19,7 @@ namespace swimtwin
         model.advance();
       const dealii::Tensor<1, 2> tip = 1e3 * model.now().configuration.shape[model.swimmer().tail().axis_at_tip[2]];
       std::cout << name << ": tip displacement (" << tip[0] << ", " << tip[1] << ") mm, " << model.n_unknowns()
-                << " unknowns, " << model.counts().n_coupling_iterations << " iterations" << std::endl;
+                << " unknowns, " << model.coupling().counts().n_iterations << " iterations" << std::endl;
       return tip;
     }
 

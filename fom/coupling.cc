@@ -1,0 +1,60 @@
+#include <fom/coupling.h>
+
+#include <fom/fixed_point_coupling.h>
+#include <fom/monolithic_coupling.h>
+
+namespace swimtwin
+{
+  std::string cause(const StepOutcome outcome)
+  {
+    switch (outcome)
+    {
+    case StepOutcome::accepted:
+      return "accepted";
+    case StepOutcome::mesh_inverted:
+      return "an element of the fluid's mesh was turned inside out";
+    case StepOutcome::tail_inverted:
+      return "an element of the tail was turned inside out";
+    case StepOutcome::coupling_diverged:
+      return "the coupling iteration did not converge";
+    case StepOutcome::linear_solver_failed:
+      return "the linear solver failed";
+    case StepOutcome::tail_equilibrium_failed:
+      return "Newton's method for the tail under the fluid's load did not converge";
+    }
+    return "unknown";
+  }
+
+  bool is_partitioned(const Scene &scene)
+  {
+    return scene.numerics.coupling == CouplingScheme::fixed_point && scene.fluid && scene.tail;
+  }
+
+  template <int dim>
+  std::unique_ptr<Coupling<dim>> make_coupling(const Swimmer<dim> &swimmer, const MPI_Comm communicator)
+  {
+    if (is_partitioned(swimmer.scene()))
+      return std::make_unique<FixedPointCoupling<dim>>(swimmer, communicator);
+    return std::make_unique<MonolithicCoupling<dim>>(swimmer, communicator);
+  }
+
+  LinearSolverOptions solver_options(const Numerics &numerics)
+  {
+    LinearSolverOptions options;
+    options.tolerance           = numerics.linear_tolerance;
+    options.reuse_factorization = numerics.reuse_factorization;
+    return options;
+  }
+
+  std::vector<double> extrapolate(const std::vector<double> &now, const std::vector<double> &before,
+                                  const double growth)
+  {
+    std::vector<double> next = now;
+    if (!before.empty())
+      for (std::size_t i = 0; i < next.size(); ++i)
+        next[i] += growth * (now[i] - before[i]);
+    return next;
+  }
+
+  template std::unique_ptr<Coupling<2>> make_coupling<2>(const Swimmer<2> &, MPI_Comm);
+} // namespace swimtwin

@@ -1,0 +1,150 @@
+#include <fom/monolithic_coupling.h>
+
+#include <fom/cpu_time.h>
+
+namespace swimtwin
+{
+  using namespace dealii;
+
+  template <int dim>
+  MonolithicCoupling<dim>::MonolithicCoupling(const Swimmer<dim> &swimmer, const MPI_Comm communicator)
+      : swimmer_(swimmer), numerics_(swimmer.scene().numerics), communicator_(communicator),
+        solver_(communicator, solver_options(numerics_))
+  {
+  }
+
+  template <int dim>
+  void MonolithicCoupling<dim>::use_fluid(FluidDomain<dim> *fluid)
+  {
+    fluid_  = fluid;
+    system_ = std::make_unique<CoupledSystem<dim>>(swimmer_, fluid, solver_, communicator_);
+    unknowns_.clear();
+    unknowns_before_.clear();
+  }
+
+  template <int dim>
+  std::vector<double> MonolithicCoupling<dim>::predict(const TimeStep<dim>      &step,
+                                                       const Configuration<dim> &configuration,
+                                                       const Rates<dim>         &rates) const
+  {
+    if (unknowns_.empty())
+      return system_->guess({rates.velocity, rates.omega,
+                             swimmer_.has_tail() ? swimmer_.tail_velocities(configuration, rates) : NodalField<dim>()});
+    return extrapolate(unknowns_, unknowns_before_, step.growth);
+  }
+
+  template <int dim>
+  Configuration<dim> MonolithicCoupling<dim>::advance_kinematics(const TimeStep<dim>          &step,
+                                                                 const CoupledVelocities<dim> &velocities,
+                                                                 Rates<dim>                   &rates) const
+  {
+    const auto        &known = step.known;
+    const double       slope = step.slope_weight;
+    Configuration<dim> next;
+    rates.velocity   = velocities.head_velocity;
+    rates.omega      = velocities.head_omega;
+    next.pose.center = known.pose.center + slope * rates.velocity;
+    next.pose.angle  = known.pose.angle + slope * rates.omega[0];
+    if (!swimmer_.has_tail())
+      return next;
+
+    // w = U + omega x R (X + d) + R d', d = known + slope d': solve (1 + slope omega x) d = known + slope (R^T (w - U)
+    // - omega x X).
+    const Tensor<2, dim> inverse = inverse_of_step_rotation<dim>(rates.omega, slope);
+    const Tensor<2, dim> Rt      = transpose(next.pose.rotation());
+    const auto          &mesh    = swimmer_.tail().mesh;
+    next.shape.resize(mesh.n_nodes());
+    for (unsigned int a = 0; a < mesh.n_nodes(); ++a)
+      if (!swimmer_.is_clamped(a))
+        next.shape[a] = inverse * (known.shape[a] + slope * (Rt * (velocities.tail[a] - rates.velocity) -
+                                                             rotational_velocity<dim>(rates.omega, mesh.nodes[a])));
+    if (numerics_.tail_order == 1)
+      for (unsigned int e = 0; e < mesh.edges().size(); ++e)
+        next.shape[mesh.n_vertices() + e] = .5 * (next.shape[mesh.edges()[e][0]] + next.shape[mesh.edges()[e][1]]);
+    rates.shape_rate.resize(mesh.n_nodes());
+    for (unsigned int a = 0; a < mesh.n_nodes(); ++a)
+      rates.shape_rate[a] = (next.shape[a] - known.shape[a]) / slope;
+    return next;
+  }
+
+  template <int dim>
+  StepOutcome MonolithicCoupling<dim>::solve(const TimeStep<dim> &step, Configuration<dim> &configuration,
+                                             Rates<dim> &rates)
+  {
+    std::vector<double> unknowns      = predict(step, configuration, rates);
+    double              change_before = 0.;
+    for (int iteration = 1; iteration <= numerics_.max_coupling_iterations; ++iteration)
+    {
+      {
+        const ScopedCpuTime time(counts_.mesh_motion_cpu_s);
+        if (fluid_ && !(fluid_->follow(swimmer_.surface(configuration), configuration.pose) > 0.))
+          return StepOutcome::mesh_inverted;
+        if (swimmer_.has_tail() && swimmer_.elasticity().is_inverted(configuration.shape))
+          return StepOutcome::tail_inverted;
+      }
+      const ScopedCpuTime time(counts_.iteration_cpu_s);
+      ++counts_.n_iterations;
+      if (!system_->solve({configuration, rates, step.slope_weight, step.time_s}, unknowns))
+        return StepOutcome::linear_solver_failed;
+      Configuration<dim> next   = advance_kinematics(step, system_->velocities(unknowns), rates);
+      const double       change = swimmer_.relative_change(next, configuration);
+      configuration             = std::move(next);
+      if (iteration == 2)
+        contraction_ = {change / change_before, step.number};
+      if (!(change < far_too_far))
+        return StepOutcome::coupling_diverged;
+      // What is left to correct is estimated from the iteration's contraction: measured in this step, or, for the first
+      // iteration, in a recent one.
+      const double left_over =
+          iteration == 1 ? contraction_.expected(step.number) * change : change * change / change_before;
+      if (left_over <= numerics_.coupling_tolerance)
+      {
+        if (swimmer_.has_tail() && swimmer_.elasticity().is_inverted(configuration.shape))
+          return StepOutcome::tail_inverted;
+        unknowns_before_ = std::move(unknowns_);
+        unknowns_        = std::move(unknowns);
+        return StepOutcome::accepted;
+      }
+      change_before = change;
+    }
+    return StepOutcome::coupling_diverged;
+  }
+
+  template <int dim>
+  double MonolithicCoupling<dim>::Contraction::expected(const int step) const
+  {
+    constexpr int    valid_for_steps = 10;
+    constexpr double safety          = 3.;
+    return step - measured_at_step <= valid_for_steps ? safety * value : 1.;
+  }
+
+  template <int dim>
+  std::vector<double> MonolithicCoupling<dim>::fluid_values() const
+  {
+    if (!fluid_ || unknowns_.empty())
+      return {};
+    std::vector<double> rows = system_->expand(unknowns_);
+    rows.resize(fluid_->n_rows()); // the tail's and the head's follow
+    return rows;
+  }
+
+  template <int dim>
+  CouplingState MonolithicCoupling<dim>::state()
+  {
+    solver_.forget_factors();
+    return {unknowns_, unknowns_before_, contraction_.value, contraction_.measured_at_step, counts_, solver_.counts(),
+            {}};
+  }
+
+  template <int dim>
+  void MonolithicCoupling<dim>::restore(const CouplingState &state)
+  {
+    unknowns_        = state.unknowns;
+    unknowns_before_ = state.unknowns_before;
+    contraction_     = {state.contraction, state.contraction_measured_at_step};
+    counts_          = state.counts;
+    solver_.set_counts(state.linear_counts);
+  }
+
+  template class MonolithicCoupling<2>;
+} // namespace swimtwin

@@ -1,0 +1,49 @@
+// Fluid, tail and head velocities in one system; geometry and linearisation point are iterated.
+#pragma once
+
+#include <fom/coupled_system.h>
+#include <fom/coupling.h>
+
+namespace swimtwin
+{
+  template <int dim>
+  class MonolithicCoupling : public Coupling<dim>
+  {
+  public:
+    /// The swimmer must outlive this.
+    MonolithicCoupling(const Swimmer<dim> &swimmer, MPI_Comm communicator);
+
+    void                use_fluid(FluidDomain<dim> *fluid) override;
+    StepOutcome         solve(const TimeStep<dim> &step, Configuration<dim> &configuration, Rates<dim> &rates) override;
+    std::vector<double> fluid_values() const override;
+    unsigned int        n_unknowns() const override { return system_->n_unknowns(); }
+    LinearSolverCounts  linear_counts() const override { return solver_.counts(); }
+    CouplingState       state() override;
+    void                restore(const CouplingState &state) override;
+
+  private:
+    using Coupling<dim>::counts_;
+
+    /// How much one iteration reduces the error, as last measured; 1 when that was too long ago.
+    struct Contraction
+    {
+      double value            = 1.;
+      int    measured_at_step = -1000;
+      double expected(int step) const;
+    };
+
+    std::vector<double> predict(const TimeStep<dim> &step, const Configuration<dim> &configuration,
+                                const Rates<dim> &rates) const;
+    Configuration<dim>  advance_kinematics(const TimeStep<dim> &step, const CoupledVelocities<dim> &velocities,
+                                           Rates<dim> &rates) const;
+
+    const Swimmer<dim>                 &swimmer_;
+    const Numerics                     &numerics_;
+    MPI_Comm                            communicator_;
+    LinearSystem                        solver_;
+    FluidDomain<dim>                   *fluid_ = nullptr;
+    std::unique_ptr<CoupledSystem<dim>> system_;
+    std::vector<double>                 unknowns_, unknowns_before_; ///< on the current mesh; empty: unknown
+    Contraction                         contraction_;
+  };
+} // namespace swimtwin
