@@ -5,10 +5,11 @@
 
 namespace swimtwin::gnuplot_scripts
 {
-  extern const std::string_view style;         ///< terminal, colours, grid, heading
-  extern const std::string_view trajectory;    ///< path of the head, displacement over time
-  extern const std::string_view angles;        ///< head, tail and field over time
-  extern const std::string_view stroke_loop;   ///< tail angle against head angle
-  extern const std::string_view power_balance; ///< powers and their residual over time
-  extern const std::string_view shapes;        ///< outlines at some instants
+  extern const std::string_view style;                  ///< terminal, colours, grid, heading
+  extern const std::string_view trajectory;             ///< path of the head, displacement over time
+  extern const std::string_view angles;                 ///< head, tail and field over time
+  extern const std::string_view stroke_loop;            ///< tail angle against head angle
+  extern const std::string_view power_balance;          ///< powers and their residual over time
+  extern const std::string_view shapes;                 ///< outlines at some instants
+  extern const std::string_view displacement_frequency; ///< curves of a sweep
 } // namespace swimtwin::gnuplot_scripts

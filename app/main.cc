@@ -46,6 +46,7 @@ namespace
     const std::pair<const char *, Work> verbs[] = {{"plan", add_plan(tool, command_line)},
                                                    {"simulate", add_simulate(tool, command_line)},
                                                    {"resistance", add_resistance(tool, command_line)},
+                                                   {"report", add_report(tool, command_line)},
                                                    {"demo", add_demo(tool, command_line)}};
     try
     {

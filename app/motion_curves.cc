@@ -10,12 +10,17 @@ namespace swimtwin
   {
     constexpr double period_round_off = 1e-9;
 
+    double integral(const Rows rows, double TrajectoryRow::*const rate)
+    {
+      double sum = 0.;
+      for (std::size_t i = 1; i < rows.size(); ++i)
+        sum += 0.5 * (rows[i].time_s - rows[i - 1].time_s) * (rows[i].*rate + rows[i - 1].*rate);
+      return sum;
+    }
+
     double mean(const Rows rows, double TrajectoryRow::*const rate)
     {
-      double integral = 0.;
-      for (std::size_t i = 1; i < rows.size(); ++i)
-        integral += 0.5 * (rows[i].time_s - rows[i - 1].time_s) * (rows[i].*rate + rows[i - 1].*rate);
-      return integral / (rows.back().time_s - rows.front().time_s);
+      return integral(rows, rate) / (rows.back().time_s - rows.front().time_s);
     }
   } // namespace
 
@@ -81,6 +86,13 @@ namespace swimtwin
           {0.5 * (a.time_s + b.time_s), elastic_rate, 0.5 * (net_power_W_m(a) + net_power_W_m(b)) - elastic_rate});
     }
     return powers;
+  }
+
+  WorkBalance work_balance(const Rows rows)
+  {
+    return {integral(rows, &TrajectoryRow::magnetic_power_W_m), integral(rows, &TrajectoryRow::external_power_W_m),
+            integral(rows, &TrajectoryRow::dissipation_W_m),
+            rows.back().elastic_energy_J_m - rows.front().elastic_energy_J_m};
   }
 
   double power_scale_W_m(const Rows rows)

@@ -47,6 +47,17 @@ namespace swimtwin
 
   std::vector<IntervalPower> interval_powers(Rows rows);
 
+  /// Work and energy between the first and the last row, per unit depth; trapezoidal, as the summary's imbalance.
+  struct WorkBalance
+  {
+    double magnetic_J_m = 0., external_J_m = 0., dissipated_J_m = 0.;
+    double stored_J_m = 0.; ///< gain of elastic energy
+
+    double missing_J_m() const { return magnetic_J_m + external_J_m - dissipated_J_m - stored_J_m; }
+  };
+
+  WorkBalance work_balance(Rows rows);
+
   /// |time average| of the magnetic power; without magnetic work that of the dissipation, as the imbalance is measured.
   double power_scale_W_m(Rows rows);
 } // namespace swimtwin

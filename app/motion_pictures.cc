@@ -1,5 +1,6 @@
 #include <app/gnuplot_scripts.h>
 #include <app/motion_pictures.h>
+#include <app/number_text.h>
 
 #include <fmt/format.h>
 

@@ -40,17 +40,9 @@ namespace swimtwin
           fs::remove(folder / (name + ending), ignored);
     }
 
-    void write_files(const fs::path &folder, const std::vector<GnuplotPicture> &pictures, const Scene &scene)
-    {
-      fs::create_directories(folder);
-      remove_earlier_pictures(folder);
-      for (const GnuplotPicture &picture : pictures)
-        write_gnuplot_files(folder, picture, fmt::format("scene {}, hash {}", scene.name, scene.hash));
-    }
-
     /// Goes on after a picture that fails; `warning` then tells the last failure.
-    std::vector<fs::path> draw_pictures(const fs::path &folder, const std::vector<GnuplotPicture> &pictures,
-                                        std::string &warning)
+    std::vector<fs::path> draw_each(const fs::path &folder, const std::vector<GnuplotPicture> &pictures,
+                                    std::string &warning)
     {
       std::vector<fs::path> drawn;
       for (const GnuplotPicture &picture : pictures)
@@ -67,24 +59,20 @@ namespace swimtwin
     }
   } // namespace
 
-  std::vector<fs::path> draw_run(const fs::path &folder, const Scene &scene, const Trajectory &trajectory,
-                                 const RunSummary &summary, const std::optional<SnapshotSet> &snapshots,
-                                 std::string &warning)
+  std::vector<fs::path> draw_pictures(const fs::path &folder, const std::vector<GnuplotPicture> &pictures,
+                                      const std::string &origin, std::string &warning)
   {
     warning.clear();
-    if (trajectory.size() < n_rows_min)
-      return {};
-    const fs::path                    pictures_folder = folder / "pictures";
-    const ShownRun                    run{scene, trajectory, summary, snapshots, time_axis(scene, trajectory)};
-    const std::vector<GnuplotPicture> pictures = choose_pictures(run);
     try
     {
-      write_files(pictures_folder, pictures, scene);
+      fs::create_directories(folder);
+      for (const GnuplotPicture &picture : pictures)
+        write_gnuplot_files(folder, picture, origin);
       if (gnuplot_is_installed())
-        return draw_pictures(pictures_folder, pictures, warning);
+        return draw_each(folder, pictures, warning);
       warning = fmt::format("no pictures were drawn because gnuplot is not installed; install it with `apt-get install "
                             "gnuplot-nox` and run it on the .gp files in {}.",
-                            pictures_folder.string());
+                            folder.string());
     }
     catch (const ComputationError &error)
     {
@@ -92,9 +80,22 @@ namespace swimtwin
     }
     catch (const fs::filesystem_error &error)
     {
-      warning = fmt::format("no pictures were drawn: cannot create {}: {}.", pictures_folder.string(),
-                            error.code().message());
+      warning = fmt::format("no pictures were drawn: cannot create {}: {}.", folder.string(), error.code().message());
     }
     return {};
+  }
+
+  std::vector<fs::path> draw_run(const fs::path &folder, const Scene &scene, const Trajectory &trajectory,
+                                 const RunSummary &summary, const std::optional<SnapshotSet> &snapshots,
+                                 std::string &warning)
+  {
+    warning.clear();
+    if (trajectory.size() < n_rows_min)
+      return {};
+    const fs::path pictures_folder = folder / "pictures";
+    const ShownRun run{scene, trajectory, summary, snapshots, time_axis(scene, trajectory)};
+    remove_earlier_pictures(pictures_folder);
+    return draw_pictures(pictures_folder, choose_pictures(run),
+                         fmt::format("scene {}, hash {}", scene.name, scene.hash), warning);
   }
 } // namespace swimtwin

@@ -1,6 +1,7 @@
-// The pictures of a run.
+// Pictures that a computation can do without: those of a run, and any others.
 #pragma once
 
+#include <app/gnuplot.h>
 #include <datasets/scene.h>
 #include <datasets/snapshot_set.h>
 #include <datasets/trajectory.h>
@@ -12,6 +13,13 @@
 
 namespace swimtwin
 {
+  /// Draw into a folder, made if it is not there, with data (.dat) and gnuplot scripts (.gp) beside the PNG files;
+  /// `origin` is a comment in each. Returns the PNG files drawn. What goes wrong is told in `warning`, one sentence
+  /// with its remedy, empty when all is well.
+  std::vector<std::filesystem::path> draw_pictures(const std::filesystem::path       &folder,
+                                                   const std::vector<GnuplotPicture> &pictures,
+                                                   const std::string &origin, std::string &warning);
+
   /// Draw the pictures that make sense for the run into folder/pictures: trajectory, angles, stroke_loop,
   /// power_balance, shapes (.png), with the data (.dat) and gnuplot scripts (.gp) beside them; earlier ones of these
   /// names are removed. Returns the PNG files drawn. A run does not depend on its pictures: what goes wrong is told in

@@ -17,15 +17,6 @@ namespace swimtwin
     return picture;
   }
 
-  std::string signed_number(const double value, const int n_digits)
-  {
-    // adding zero turns -0 into 0
-    std::string text = fmt::format("{:+.{}g}", value + 0., n_digits);
-    for (std::size_t at = text.find('-'); at != std::string::npos; at = text.find('-'))
-      text.replace(at, 1, "−");
-    return text;
-  }
-
   void set_time_axis(GnuplotPicture &picture, const ShownRun &run, const Rows rows)
   {
     picture.set_text("time_label", run.axis.label);

@@ -39,9 +39,6 @@ namespace swimtwin
   GnuplotPicture make_picture(const ShownRun &run, const std::string &name, std::string_view script,
                               const std::string &heading, const std::string &finding);
 
-  /// With its sign always, as in +0.17 and −0.2 (a minus sign, not a hyphen).
-  std::string signed_number(double value, int n_digits);
-
   /// Label and limits of a time axis over these rows.
   void set_time_axis(GnuplotPicture &picture, const ShownRun &run, Rows rows);
 

@@ -25,6 +25,11 @@ namespace swimtwin
     verb.add_option("--set", options.overrides, "Override a scene entry: key.path=value (repeatable)")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
+    add_output_options(verb, options, output);
+  }
+
+  void add_output_options(CLI::App &verb, CommonOptions &options, const OutputFolder output)
+  {
     auto *folder = verb.add_option("--output", options.output, "Folder for the results; nothing is written elsewhere")
                        ->type_name("DIR")
                        ->take_last();

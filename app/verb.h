@@ -26,6 +26,9 @@ namespace swimtwin
 
   void add_common_options(CLI::App &verb, CommonOptions &options, OutputFolder output);
 
+  /// The same without --set, for a verb that reads no scene.
+  void add_output_options(CLI::App &verb, CommonOptions &options, OutputFolder output);
+
   /// The scene of the options, with its overrides. Throws InputError.
   Scene load_scene(const CommonOptions &options);
 
@@ -37,5 +40,6 @@ namespace swimtwin
   Work add_plan(CLI::App &tool, const std::string &command_line);
   Work add_simulate(CLI::App &tool, const std::string &command_line);
   Work add_resistance(CLI::App &tool, const std::string &command_line);
+  Work add_report(CLI::App &tool, const std::string &command_line);
   Work add_demo(CLI::App &tool, const std::string &command_line);
 } // namespace swimtwin

@@ -16,6 +16,10 @@ namespace swimtwin
     /// length than the header.
     static CsvTable read(const std::filesystem::path &file);
 
+    const std::vector<std::string> &column_names() const { return header_; }
+    /// A row as it stands in the file, one text per column.
+    const std::vector<std::string> &cells(std::size_t row) const { return rows_.at(row).cells; }
+
     std::size_t n_rows() const { return rows_.size(); }
     bool        has_column(const std::string &name) const;
     /// The numbers of a column; InputError for a missing column and for a cell that is not a finite number.

@@ -69,6 +69,18 @@ namespace swimtwin
     EXPECT_NEAR(summary.power_imbalance, -0.01, 1e-4);
   }
 
+  TEST_F(MotionCurves, MissingWorkIsTheImbalanceOfTheSummary)
+  {
+    RunSummary summary;
+    summarize_motion(trajectory, period_s, 0., summary);
+    const WorkBalance balance = work_balance(last_periods(trajectory, axis, 1));
+    EXPECT_NEAR(balance.missing_J_m() / std::abs(balance.magnetic_J_m), summary.power_imbalance, 1e-12);
+    // mean powers times the period; what oscillates averages out
+    EXPECT_NEAR(balance.magnetic_J_m, 4e-4 * period_s, 1e-12);
+    EXPECT_NEAR(balance.dissipated_J_m, 1.01 * 4e-4 * period_s, 1e-12);
+    EXPECT_NEAR(balance.stored_J_m, 0., 1e-12);
+  }
+
   TEST(StrokeLoop, AreaOfAnEllipseAndItsSense)
   {
     // the polygon of n points on an ellipse has the area n/2 sin(2 pi/n) a b

@@ -71,6 +71,18 @@ namespace swimtwin
     EXPECT_EQ(n_files(disk.path()), 1);
   }
 
+  TEST(FullDisk, EndsAReportWithOneSentenceAndNoPartialFile)
+  {
+    const SmallDisk disk("4k");
+    if (!disk.is_there)
+      GTEST_SKIP() << "no right to mount a small disk";
+    const TemporaryFolder folder;
+    folder.write("displacement_frequency.csv", "young_modulus_Pa,frequency_Hz,displacement_m\n1e5,0.8,1.7e-4\n");
+    std::ofstream(disk.path() / "filler") << std::string(4000, 'x');
+    expect_failure(run_tool({"report", folder.path, "--output", disk.path()}), 1, {"report.html", "space"});
+    EXPECT_EQ(n_files(disk.path()), 1);
+  }
+
   // What was there before is there afterwards.
   TEST(FullDisk, AFailedForceKeepsTheOldResultItCouldNotReplace)
   {

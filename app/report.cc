@@ -1,0 +1,145 @@
+// Verb report: a page that shows the results in a folder.
+#include <app/frequency_picture.h>
+#include <app/plots.h>
+#include <app/run_report.h>
+#include <app/sweep_report.h>
+#include <app/verb.h>
+
+#include <datasets/error.h>
+#include <datasets/output_folder.h>
+#include <datasets/provenance.h>
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+
+namespace swimtwin
+{
+  namespace fs = std::filesystem;
+
+  namespace
+  {
+    struct ReportOptions
+    {
+      CommonOptions common;
+      fs::path      folder;
+    };
+
+    /// Where pictures are drawn before they become a part of the page; gone when the page is done.
+    class DrawingBoard
+    {
+    public:
+      explicit DrawingBoard(const fs::path &folder) : path(folder / ".report.partial") { clear(); }
+      DrawingBoard(const DrawingBoard &)            = delete;
+      DrawingBoard &operator=(const DrawingBoard &) = delete;
+      ~DrawingBoard() { clear(); }
+
+      const fs::path path;
+
+    private:
+      void clear()
+      {
+        std::error_code ignored; // what is left there is in nobody's way
+        fs::remove_all(path, ignored);
+      }
+    };
+
+    bool can_be_drawn(const RunFolder &run)
+    {
+      return run.scene && !run.trajectory.empty();
+    }
+
+    bool can_be_drawn(const SweepFolder &sweep)
+    {
+      return !sweep.curves.empty();
+    }
+
+    std::vector<fs::path> draw(const RunFolder &run, const fs::path &folder, std::string &warning)
+    {
+      return draw_run(folder, *run.scene, run.trajectory, run.record.summary, run.snapshots, warning);
+    }
+
+    std::vector<fs::path> draw(const SweepFolder &sweep, const fs::path &folder, std::string &warning)
+    {
+      return draw_pictures(folder, {frequency_picture(sweep.curves, sweep.name)}, fmt::format("sweep {}", sweep.name),
+                           warning);
+    }
+
+    template <typename Results>
+    Illustrations illustrate(const Results &results, const fs::path &folder)
+    {
+      if (!can_be_drawn(results))
+        return {};
+      if (!gnuplot_is_installed())
+        return {{},
+                "No pictures were drawn because gnuplot is not installed; install it with `apt-get install "
+                "gnuplot-nox` and make the page again with --force."};
+      Illustrations illustrations;
+      illustrations.pictures = draw(results, folder, illustrations.warning);
+      return illustrations;
+    }
+
+    HtmlPage page_of(const RunFolder &run, const Illustrations &illustrations, const fs::path & /*folder*/)
+    {
+      return run_page(run, illustrations);
+    }
+
+    HtmlPage page_of(const SweepFolder &sweep, const Illustrations &illustrations, const fs::path &folder)
+    {
+      return sweep_page(sweep, illustrations, folder);
+    }
+
+    void warn(const std::string &warning)
+    {
+      if (!warning.empty())
+        fmt::print(stderr, "swimtwin: {}\n", warning);
+    }
+
+    template <typename Results>
+    void write_page(const Results &results, const CommonOptions &options)
+    {
+      prepare_output_folder(options.output, {page_name}, options.force);
+      const DrawingBoard  board(options.output);
+      const Illustrations illustrations = illustrate(results, board.path);
+      HtmlPage            page          = page_of(results, illustrations, options.output);
+      page.add_paragraph(
+          fmt::format("Page made by {} on {} with `{}`.", SWIMTWIN_VERSION, utc_time_now(), options.command_line));
+      const fs::path file = options.output / page_name;
+      write_text_atomically(file, page.text());
+      warn(illustrations.warning);
+      if (!options.quiet)
+        fmt::print("report in {}\n", file.string());
+    }
+
+    void report(const ReportOptions &options)
+    {
+      std::error_code unreadable;
+      if (!fs::is_directory(options.folder, unreadable))
+        throw InputError(
+            fmt::format("there is no folder {}; give the --output of an earlier command.", options.folder.string()));
+      CommonOptions common = options.common;
+      if (common.output.empty())
+        common.output = options.folder;
+      if (!is_run(options.folder))
+        return write_page(read_sweep(options.folder), common);
+      const RunFolder run = read_run(options.folder);
+      write_page(run, common);
+      warn(run.warning);
+    }
+  } // namespace
+
+  Work add_report(CLI::App &tool, const std::string &command_line)
+  {
+    auto  options = std::make_shared<ReportOptions>();
+    auto *verb    = tool.add_subcommand("report", "Show the results of a run or a sweep on one page (report.html)");
+    verb->add_option("folder", options->folder, "Folder of the results; the page goes there unless --output is given")
+        ->required();
+    add_output_options(*verb, options->common, OutputFolder::optional);
+    options->common.command_line = command_line;
+    return [options] {
+      if (is_speaker())
+        report(*options);
+    };
+  }
+} // namespace swimtwin

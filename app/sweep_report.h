@@ -1,0 +1,17 @@
+// The page of a sweep.
+#pragma once
+
+#include <app/run_report.h>
+#include <app/sweep_folder.h>
+
+#include <filesystem>
+
+namespace swimtwin
+{
+  /// The file that a page is, in the folder of --output.
+  inline constexpr const char *page_name = "report.html";
+
+  /// Verdict, curves with their peaks, runs, table. Runs that have a page are linked, as seen from `page_folder`.
+  HtmlPage sweep_page(const SweepFolder &sweep, const Illustrations &illustrations,
+                      const std::filesystem::path &page_folder);
+} // namespace swimtwin
