@@ -64,6 +64,7 @@ namespace swimtwin
     {
       check(KSPGMRESSetRestart(ksp_, 60), "made a solver");
       check(KSPSetInitialGuessNonzero(ksp_, PETSC_TRUE), "made a solver");
+      check(KSPConvergedDefaultSetUIRNorm(ksp_), "made a solver");
     }
     PC pc;
     check(KSPGetPC(ksp_, &pc), "made a solver");
@@ -119,7 +120,14 @@ namespace swimtwin
     }
     const ScopedCpuTime time(counts_.solve_cpu_s);
     check(KSPSetReusePreconditioner(ksp_, PETSC_TRUE), "set up a solver");
-    check(KSPSetTolerances(ksp_, options_.tolerance, 1e-300, 1e10, max_iterations), "set up a solver");
+    // Relative to the solution: its guess has that size. Without one the first residual has it; it also bounds from
+    // below what a guess that is far too small would ask for.
+    double guess_norm;
+    VecNorm(solution_, NORM_2, &guess_norm);
+    const bool has_guess = guess_norm > 0. && !options_.direct;
+    check(KSPSetTolerances(ksp_, (has_guess ? 1e-3 : 1.) * options_.tolerance,
+                           has_guess ? options_.tolerance * guess_norm : 1e-300, 1e10, max_iterations),
+          "set up a solver");
     check(KSPSolve(ksp_, rhs_, solution_), "solved");
     PetscInt           iterations;
     KSPConvergedReason reason;

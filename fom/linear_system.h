@@ -17,7 +17,7 @@ namespace swimtwin
 
   struct LinearSolverOptions
   {
-    double tolerance = 1e-9; ///< on the preconditioned residual, relative to the preconditioned right-hand side
+    double tolerance = 1e-9; ///< on the preconditioned residual, relative to the guess or, without one, to the solution
     bool   reuse_factorization  = true; ///< keep the last factors as preconditioner while they serve
     int    max_stale_iterations = 12;   ///< give up on old factors after so many GMRES iterations and factorise anew
     int  factorization_effort = 8; ///< of a factorisation in GMRES iterations: 7 to 8 measured in 2D at 17,000 unknowns
@@ -41,6 +41,9 @@ namespace swimtwin
     void set_matrix(const std::vector<double> &values);
     /// This rank's contributions to the right-hand side, of full length; summed over ranks. Collective.
     void set_right_hand_side(const std::vector<double> &contributions);
+
+    /// For the solves to come.
+    void set_tolerance(const double tolerance) { options_.tolerance = tolerance; }
 
     /// Factorise anew at the next solve, so that what follows does not depend on what was before.
     void forget_factors() { has_factors_ = false; }

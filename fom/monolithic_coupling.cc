@@ -2,6 +2,8 @@
 
 #include <fom/cpu_time.h>
 
+#include <algorithm>
+
 namespace swimtwin
 {
   using namespace dealii;
@@ -20,6 +22,21 @@ namespace swimtwin
     system_ = std::make_unique<CoupledSystem<dim>>(swimmer_, fluid, solver_, communicator_);
     unknowns_.clear();
     unknowns_before_.clear();
+  }
+
+  template <int dim>
+  double MonolithicCoupling<dim>::linear_tolerance(const double slope_weight) const
+  {
+    // An error of the velocities by a share e is one of elastic stress by e c (lambda + 2 mu_s) / mu times the viscous
+    // stress: it must stay small against it, however stiff the tail. Below round-off there is nothing to gain.
+    constexpr double harmless = 1e3, round_off = 1e-13;
+    const Scene     &scene = swimmer_.scene();
+    if (!scene.fluid || !scene.tail)
+      return numerics_.linear_tolerance;
+    const LameConstants lame      = lame_constants(scene.tail->young_modulus_Pa, scene.tail->poisson_ratio);
+    const double        stiffness = slope_weight * (lame.lambda_Pa + 2. * lame.mu_Pa) / scene.fluid->viscosity_Pa_s;
+    return std::clamp(numerics_.linear_tolerance * harmless / std::max(stiffness, harmless),
+                      std::min(round_off, numerics_.linear_tolerance), numerics_.linear_tolerance);
   }
 
   template <int dim>
@@ -71,6 +88,7 @@ namespace swimtwin
   StepOutcome MonolithicCoupling<dim>::solve(const TimeStep<dim> &step, Configuration<dim> &configuration,
                                              Rates<dim> &rates)
   {
+    solver_.set_tolerance(linear_tolerance(step.slope_weight));
     std::vector<double> unknowns      = predict(step, configuration, rates);
     double              change_before = 0.;
     for (int iteration = 1; iteration <= numerics_.max_coupling_iterations; ++iteration)

@@ -32,6 +32,7 @@ namespace swimtwin
       double expected(int step) const;
     };
 
+    double              linear_tolerance(double slope_weight) const;
     std::vector<double> predict(const TimeStep<dim> &step, const Configuration<dim> &configuration,
                                 const Rates<dim> &rates) const;
     Configuration<dim>  advance_kinematics(const TimeStep<dim> &step, const CoupledVelocities<dim> &velocities,
