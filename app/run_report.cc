@@ -58,6 +58,8 @@ namespace swimtwin
     const auto &[summary, provenance] = run.record;
     HtmlPage page(fmt::format("Run {}", run.name));
     page.add_verdict(has_completed(summary) ? Verdict::good : Verdict::bad, verdict_text(run));
+    for (const std::string &warning : summary.warnings)
+      page.add_warning(warning);
     if (!run.warning.empty())
       page.add_warning(run.warning);
     if (has_full_period(run))

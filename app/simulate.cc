@@ -89,6 +89,8 @@ namespace swimtwin
         snapshots = result.snapshots;
       pictures = draw_run(common.output, scene, result.trajectory, result.summary, snapshots, warning);
     }
+    for (const std::string &doubt : result.summary.warnings)
+      fmt::print(stderr, "swimtwin: warning: {}\n", doubt);
     if (!warning.empty())
       fmt::print(stderr, "swimtwin: {}\n", warning);
     if (common.quiet)

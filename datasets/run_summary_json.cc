@@ -36,6 +36,7 @@ namespace swimtwin
       visit("wall_time_s", summary.wall_time_s);
       visit("cpu_time_s", summary.cpu_time_s);
       visit("peak_memory_MB", summary.peak_memory_MB);
+      visit("warnings", summary.warnings);
     }
 
     template <typename ProvenanceType, typename Visitor>

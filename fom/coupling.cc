@@ -25,6 +25,29 @@ namespace swimtwin
     return "unknown";
   }
 
+  std::string remedy(const StepOutcome outcome, const Scene &scene)
+  {
+    switch (outcome)
+    {
+    case StepOutcome::mesh_inverted:
+      return "refine [numerics] mesh_size_m or raise [time] steps_per_period; if the body comes close to a wall or to "
+             "itself, contact is not modelled";
+    case StepOutcome::tail_inverted:
+    case StepOutcome::tail_equilibrium_failed:
+      return scene.tail->law == MaterialModel::st_venant_kirchhoff
+                 ? "the tail is compressed beyond what the St Venant-Kirchhoff law can bear, or the step is too long: "
+                   "use "
+                   "[tail] law = \"neo-hookean\", raise [time] steps_per_period, or check young_modulus_Pa, "
+                   "magnetization_A_m and the field"
+                 : "raise [time] steps_per_period, or check young_modulus_Pa, magnetization_A_m and the field";
+    case StepOutcome::coupling_diverged:
+      return "raise [time] steps_per_period, or check that the field, magnetization_A_m and young_modulus_Pa are what "
+             "you meant";
+    default:
+      return "refine [numerics] mesh_size_m, or check that the scene's values are what you meant";
+    }
+  }
+
   bool is_partitioned(const Scene &scene)
   {
     return scene.numerics.coupling == CouplingScheme::fixed_point && scene.fluid && scene.tail;

@@ -19,8 +19,9 @@ namespace swimtwin
     tail_equilibrium_failed
   };
 
-  /// One clause for a message.
+  /// One clause each for a message: what went wrong, and what the user can do about it.
   std::string cause(StepOutcome outcome);
+  std::string remedy(StepOutcome outcome, const Scene &scene);
 
   /// One implicit step of a two-step formula: configuration = known + slope_weight * rates, both at its end.
   template <int dim>

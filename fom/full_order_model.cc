@@ -112,9 +112,7 @@ namespace swimtwin
   {
     std::ostringstream message;
     message << "the step at t = " << now_.time_s << " s failed (" << cause(outcome) << ") after a remesh and "
-            << halvings
-            << " halvings of the step: raise [time] steps_per_period, refine [numerics] mesh_size_m, or check that the "
-               "field, the magnetization and young_modulus_Pa are what you meant";
+            << halvings << " halvings of the step: " << remedy(outcome, scene_);
     throw ComputationError(message.str());
   }
 

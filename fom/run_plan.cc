@@ -37,11 +37,8 @@ namespace swimtwin
       plan.skipped.push_back(
           {"fluid inertia",
            fmt::format("the quasi-static model neglects it; relative size of what is neglected: up to {:.2g}", group)});
-      if (group > 1.)
-        plan.warnings.push_back(fmt::format(
-            "the unsteady group is {:.3g}: fluid inertia is not small, and this version neglects it; lower [field] "
-            "frequency_Hz or raise [fluid] viscosity_Pa_s to trust the result",
-            group));
+      if (const std::string warning = inertia_warning(scene); !warning.empty())
+        plan.warnings.push_back(warning);
     }
 
     void plan_body(const Scene &scene, RunPlan &plan)
@@ -114,6 +111,17 @@ namespace swimtwin
     const double L = scene.body_length_m();
     return 2. * std::numbers::pi * scene.fluid->density_kg_m3 * L * L /
            (scene.time.period_s * scene.fluid->viscosity_Pa_s);
+  }
+
+  std::string inertia_warning(const Scene &scene)
+  {
+    const double group = unsteady_group(scene);
+    if (group <= 1. || scene.fluid->inertia == Inertia::none)
+      return {};
+    return fmt::format("the unsteady group is {:.3g}: fluid inertia is not small, and this version neglects it; lower "
+                       "[field] frequency_Hz or raise [fluid] viscosity_Pa_s to trust the result, or set inertia = "
+                       "\"none\" to neglect it knowingly",
+                       group);
   }
 
   double magnetic_group(const Scene &scene)

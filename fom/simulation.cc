@@ -7,13 +7,16 @@
 #include <fom/cpu_time.h>
 #include <fom/field_output.h>
 #include <fom/full_order_model.h>
+#include <fom/run_plan.h>
 #include <fom/run_recorder.h>
 
 #include <deal.II/base/mpi.h>
 
+#include <fmt/format.h>
 #include <sys/resource.h>
 
 #include <chrono>
+#include <cmath>
 #include <optional>
 
 namespace swimtwin
@@ -149,7 +152,22 @@ namespace swimtwin
                                              {"tail_equilibrium", coupling.tail_cpu_s},
                                              {"mesh_motion", coupling.mesh_motion_cpu_s},
                                              {"remeshing", counts.remeshing_cpu_s}};
+        summary.warnings                  = warnings(summary);
         return summary;
+      }
+
+      /// What a user has to know before trusting the numbers.
+      std::vector<std::string> warnings(const RunSummary &summary) const
+      {
+        constexpr double         open_balance = 0.05;
+        std::vector<std::string> result;
+        if (const std::string inertia = inertia_warning(scene_); !inertia.empty())
+          result.push_back(inertia);
+        if (std::abs(summary.worst_power_imbalance) > open_balance)
+          result.push_back(fmt::format("the power balance is open by {:.1f} % in the worst period: the motion is not "
+                                       "resolved in time; raise [time] steps_per_period",
+                                       100. * summary.worst_power_imbalance));
+        return result;
       }
 
       SimulationResult write(const std::string &status)
