@@ -19,7 +19,7 @@ def run(scene, settings):
     if not TOOL.exists():
         sys.exit(f"{TOOL} is not there: run scripts/build release first, or name the tool in SWIMTWIN")
     with tempfile.TemporaryDirectory() as folder:
-        command = [str(TOOL), "simulate", scene, "--quiet", "--force", "--output", folder]
+        command = [str(TOOL), "simulate", str(scene), "--quiet", "--force", "--output", folder]
         for key, value in settings.items():
             command += ["--set", f"{key}={value}"]
         before = resource.getrusage(resource.RUSAGE_CHILDREN)
