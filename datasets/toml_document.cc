@@ -144,13 +144,14 @@ namespace swimtwin
     for (std::string ancestor = path; !ancestor.empty(); ancestor = parent_path(ancestor))
       if (const auto found = overrides_.find(ancestor); found != overrides_.end())
         return found->second;
+    // What is wrong with a table as a whole is most likely what was overridden in it.
+    if (const toml::node *node = find(path); node != nullptr && node->is_table())
+      for (const auto &[overridden, text] : overrides_)
+        if (overridden.starts_with(path + "."))
+          return text;
     for (std::string ancestor = path; !ancestor.empty(); ancestor = parent_path(ancestor))
       if (const toml::node *node = find(ancestor); node != nullptr && node->source().begin.line > 0)
         return fmt::format("{}:{}", name_, node->source().begin.line);
-    // A table that only an override made has no line of its own.
-    for (const auto &[overridden, text] : overrides_)
-      if (overridden.starts_with(path + "."))
-        return text;
     return name_;
   }
 

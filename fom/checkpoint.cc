@@ -156,6 +156,7 @@ namespace swimtwin
       visit("n_step_halvings", model.counts.n_step_halvings);
       visit("remeshing_cpu_s", model.counts.remeshing_cpu_s);
       visit("contraction", coupling.contraction);
+      visit("contraction_change", coupling.contraction_change);
       visit("contraction_measured_at_step", coupling.contraction_measured_at_step);
       visit("n_coupling_iterations", coupling.counts.n_iterations);
       visit("mesh_motion_cpu_s", coupling.counts.mesh_motion_cpu_s);

@@ -114,13 +114,12 @@ namespace swimtwin
 
   template <int dim>
   void CoupledSystem<dim>::linearize_tail_cell(const unsigned int cell, const LinearizationPoint<dim> &point,
-                                               const ShapeDerivative<dim> &derivative, const NodalField<dim> &w,
-                                               TailCellSystem &system) const
+                                               const NodalField<dim> &w, TailCellSystem &system) const
   {
     constexpr unsigned int                 n      = ElasticTail<dim>::n_cell_dofs;
     const auto                            &mesh   = swimmer_.tail().mesh;
     const auto                            &nodes  = mesh.cells[cell];
-    const Tensor<2, dim>                   by_w   = derivative.by_velocity();
+    const Tensor<2, dim>                   R      = point.configuration.pose.rotation();
     auto                                  &matrix = system.matrix;
     typename ElasticTail<dim>::CellForce   force;
     typename ElasticTail<dim>::CellTangent K;
@@ -141,8 +140,8 @@ namespace swimtwin
         for (int i = 0; i < dim; ++i)
           for (int j = 0; j < dim; ++j)
             block[i][j] = K[a * dim + i][b * dim + j];
-        block                            = derivative.rotation() * block;
-        const Tensor<2, dim> by_velocity = block * by_w;
+        block                            = point.slope_weight * (R * block);
+        const Tensor<2, dim> by_velocity = block * transpose(R);
         for (int i = 0; i < dim; ++i)
           for (int j = 0; j < dim; ++j)
           {
@@ -151,9 +150,11 @@ namespace swimtwin
           }
         for (int k = 0; k < n_rotations<dim>; ++k)
         {
-          const Tensor<1, dim> by_rotation = block * derivative.by_rotation(k, r, point.rates.shape_rate[nodes[b]]);
+          AngularVelocity<dim> axis;
+          axis[k]                          = 1.;
+          const Tensor<1, dim> by_rotation = block * rotational_velocity<dim>(axis, r);
           for (int i = 0; i < dim; ++i)
-            matrix[a * dim + i][n + dim + k] += by_rotation[i];
+            matrix[a * dim + i][n + dim + k] -= by_rotation[i];
         }
       }
     }
@@ -162,7 +163,7 @@ namespace swimtwin
       Tensor<1, dim> f;
       for (int i = 0; i < dim; ++i)
         f[i] = force[a * dim + i];
-      f = derivative.rotation() * f;
+      f = R * f;
       for (int i = 0; i < dim; ++i)
         system.load[a * dim + i] =
             std::inner_product(matrix[a * dim + i].begin(), matrix[a * dim + i].end(), system.velocity.begin(), -f[i]);
@@ -172,18 +173,17 @@ namespace swimtwin
   template <int dim>
   void CoupledSystem<dim>::assemble_tail(const LinearizationPoint<dim> &point)
   {
-    // Internal forces, linear in the velocities y = (w, U, omega) of the cell's nodes and the head:
-    //   f(y) ~ f(y_k) + K dd/dy (y - y_k).
-    const ShapeDerivative<dim> derivative(point.configuration.pose, point.rates.omega, point.slope_weight);
-    const NodalField<dim>      w = swimmer_.tail_velocities(point.configuration, point.rates);
-    TailCellSystem             system;
+    // Internal forces, linear in the velocities y = (w, U, omega) of the cell's nodes and the head, all on the geometry
+    // x_k: R_k f(d) ~ R_k (f(d_k) + K dd/dy (y - y_k)), dd = slope (R_k^T (dw - dU) - domega x (X + d_k)).
+    const NodalField<dim> w = swimmer_.tail_velocities(point.configuration, point.rates);
+    TailCellSystem        system;
     for (int c = 0; c < dim; ++c)
       system.velocity[ElasticTail<dim>::n_cell_dofs + c] = point.rates.velocity[c];
     for (int k = 0; k < n_rotations<dim>; ++k)
       system.velocity[ElasticTail<dim>::n_cell_dofs + dim + k] = point.rates.omega[k];
     for (unsigned int number = 0; number < tail_cells_.size(); ++number)
     {
-      linearize_tail_cell(tail_cells_[number], point, derivative, w, system);
+      linearize_tail_cell(tail_cells_[number], point, w, system);
       condensation_.add(first_tail_cell_ + number, system.matrix, system.load);
     }
     for (unsigned int a = 0; a < swimmer_.tail().mesh.n_nodes(); ++a)

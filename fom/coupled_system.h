@@ -2,7 +2,6 @@
 #pragma once
 
 #include <fom/fluid_domain.h>
-#include <fom/shape_derivative.h>
 #include <fom/swimmer.h>
 
 namespace swimtwin
@@ -56,8 +55,7 @@ namespace swimtwin
       std::array<std::array<double, size>, size> matrix;
       std::array<double, size>                   load{}, velocity{};
     };
-    void         linearize_tail_cell(unsigned int cell, const LinearizationPoint<dim> &point,
-                                     const ShapeDerivative<dim> &derivative, const NodalField<dim> &w,
+    void         linearize_tail_cell(unsigned int cell, const LinearizationPoint<dim> &point, const NodalField<dim> &w,
                                      TailCellSystem &system) const;
     void         assemble_tail(const LinearizationPoint<dim> &point);
     void         assemble_head(const LinearizationPoint<dim> &point);

@@ -45,7 +45,7 @@ namespace swimtwin
   struct CouplingState
   {
     std::vector<double> unknowns, unknowns_before;
-    double              contraction                  = 1.;
+    double              contraction = 1., contraction_change = 0.;
     int                 contraction_measured_at_step = -1000;
     CouplingCounts      counts;
     LinearSolverCounts  linear_counts, tail_linear_counts;

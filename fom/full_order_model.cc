@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace swimtwin
@@ -17,6 +18,25 @@ namespace swimtwin
     constexpr int ticks_per_step = 1024;
     /// The run starts with an eighth of a step, by backward Euler, then doubles: the start's error is a 64th.
     constexpr int ticks_of_first_step = ticks_per_step / 8;
+
+    /// Distance (m) of the closest of some points to a wall that does not move with them; infinite without one.
+    double distance_to_walls(const Domain &domain, const std::vector<Point<2>> &points)
+    {
+      double         least = std::numeric_limits<double>::infinity();
+      const Point<2> center(domain.center_m[0], domain.center_m[1]);
+      for (const auto &x : points)
+      {
+        const Tensor<1, 2> r = x - center;
+        if (domain.shape == DomainShape::box || domain.shape == DomainShape::channel)
+          for (int c = 0; c < 2; ++c)
+            least = std::min(least, domain.size_m[c] / 2 - std::abs(r[c]));
+        else if (!domain.moves_with_swimmer)
+          least = std::min(least, domain.radius_m - r.norm());
+        if (domain.shape == DomainShape::annulus)
+          least = std::min(least, r.norm() - domain.inner_radius_m);
+      }
+      return least;
+    }
   } // namespace
 
   template <int dim>
@@ -112,7 +132,14 @@ namespace swimtwin
   {
     std::ostringstream message;
     message << "the step at t = " << now_.time_s << " s failed (" << cause(outcome) << ") after a remesh and "
-            << halvings << " halvings of the step: " << remedy(outcome, scene_);
+            << halvings << " halvings of the step: ";
+    const double distance =
+        fluid_ ? distance_to_walls(*scene_.domain, swimmer_.surface(now_.configuration)) : scene_.body_length_m();
+    if (distance < .5 * scene_.numerics.mesh_size_m)
+      message << "the body is " << distance << " m from a wall, and contact is not modelled; enlarge the domain, move "
+              << "the head, lower the field, or end the run before";
+    else
+      message << remedy(outcome, scene_);
     throw ComputationError(message.str());
   }
 
@@ -180,7 +207,12 @@ namespace swimtwin
   bool FullOrderModel<dim>::wants_remeshing() const
   {
     const int every = scene_.numerics.remesh_every_steps;
-    return fluid_->quality() < scene_.numerics.remesh_quality || (every > 0 && steps_since_remeshing_ >= every);
+    if (every > 0 && steps_since_remeshing_ >= every)
+      return true;
+    // A mesh that was hardly better when it was made, in a narrow gap, would be made again at every step.
+    const double quality = fluid_->quality();
+    return quality < scene_.numerics.remesh_quality &&
+           quality < .5 * worst_quality(fluid_->mesh(), fluid_->mesh().nodes);
   }
 
   template <int dim>
@@ -188,9 +220,18 @@ namespace swimtwin
   {
     const ScopedCpuTime time(counts_.remeshing_cpu_s);
     const auto         &c = now_.configuration;
-    use_fluid_mesh(make_fluid_mesh(*scene_.domain, swimmer_.surface(c), swimmer_.surface_mesh_size(), c.pose,
-                                   swimmer_.pose_at_rest(), scene_.numerics, communicator_),
-                   c.pose);
+    try
+    {
+      use_fluid_mesh(make_fluid_mesh(*scene_.domain, swimmer_.surface(c), swimmer_.surface_mesh_size(), c.pose,
+                                     swimmer_.pose_at_rest(), scene_.numerics, communicator_),
+                     c.pose);
+    }
+    catch (const ComputationError &error)
+    {
+      std::ostringstream message;
+      message << "at t = " << now_.time_s << " s " << error.what();
+      throw ComputationError(message.str());
+    }
     ++counts_.n_remeshes;
   }
 

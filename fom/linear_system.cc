@@ -125,8 +125,8 @@ namespace swimtwin
     double guess_norm;
     VecNorm(solution_, NORM_2, &guess_norm);
     const bool has_guess = guess_norm > 0. && !options_.direct;
-    check(KSPSetTolerances(ksp_, (has_guess ? 1e-3 : 1.) * options_.tolerance,
-                           has_guess ? options_.tolerance * guess_norm : 1e-300, 1e10, max_iterations),
+    check(KSPSetTolerances(ksp_, (has_guess ? 1e-3 : 1.) * tolerance_, has_guess ? tolerance_ * guess_norm : 1e-300,
+                           1e10, max_iterations),
           "set up a solver");
     check(KSPSolve(ksp_, rhs_, solution_), "solved");
     PetscInt           iterations;
@@ -135,7 +135,12 @@ namespace swimtwin
     check(KSPGetConvergedReason(ksp_, &reason), "solved");
     counts_.n_iterations += iterations;
     note_effort(iterations);
-    return reason > 0;
+    if (reason > 0 || keep_factors)
+      return reason > 0;
+    double residual, size;
+    check(KSPGetResidualNorm(ksp_, &residual), "solved");
+    VecNorm(solution_, NORM_2, &size);
+    return residual <= options_.tolerance * size;
   }
 
   void LinearSystem::note_effort(const int iterations)

@@ -42,8 +42,9 @@ namespace swimtwin
     /// This rank's contributions to the right-hand side, of full length; summed over ranks. Collective.
     void set_right_hand_side(const std::vector<double> &contributions);
 
-    /// For the solves to come.
-    void set_tolerance(const double tolerance) { options_.tolerance = tolerance; }
+    /// For the solves to come: a tolerance below that of the options. A solve that, with fresh factors, reaches only
+    /// that of the options has not failed.
+    void aim_at(const double tolerance) { tolerance_ = tolerance; }
 
     /// Factorise anew at the next solve, so that what follows does not depend on what was before.
     void forget_factors() { has_factors_ = false; }
@@ -65,12 +66,13 @@ namespace swimtwin
     MPI_Comm            communicator_;
     LinearSolverOptions options_;
     LinearSolverCounts  counts_;
-    Mat                 matrix_   = nullptr;
-    Vec                 rhs_      = nullptr;
-    Vec                 solution_ = nullptr;
-    Vec                 gathered_ = nullptr;
-    VecScatter          gather_   = nullptr;
-    KSP                 ksp_      = nullptr;
+    double              tolerance_ = options_.tolerance;
+    Mat                 matrix_    = nullptr;
+    Vec                 rhs_       = nullptr;
+    Vec                 solution_  = nullptr;
+    Vec                 gathered_  = nullptr;
+    VecScatter          gather_    = nullptr;
+    KSP                 ksp_       = nullptr;
     PetscInt            size_ = 0, first_row_ = 0, last_row_ = 0;
     bool                has_factors_ = false, factors_are_worn_ = false;
     int                 solves_with_factors_ = 0, effort_with_factors_ = 0;

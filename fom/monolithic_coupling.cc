@@ -51,30 +51,30 @@ namespace swimtwin
   }
 
   template <int dim>
-  Configuration<dim> MonolithicCoupling<dim>::advance_kinematics(const TimeStep<dim>          &step,
-                                                                 const CoupledVelocities<dim> &velocities,
-                                                                 Rates<dim>                   &rates) const
+  Configuration<dim>
+  MonolithicCoupling<dim>::advance_kinematics(const TimeStep<dim> &step, const Configuration<dim> &configuration,
+                                              const CoupledVelocities<dim> &velocities, Rates<dim> &rates) const
   {
     const auto        &known = step.known;
     const double       slope = step.slope_weight;
     Configuration<dim> next;
-    rates.velocity   = velocities.head_velocity;
-    rates.omega      = velocities.head_omega;
-    next.pose.center = known.pose.center + slope * rates.velocity;
-    next.pose.angle  = known.pose.angle + slope * rates.omega[0];
+    // The velocities belong to the geometry they were solved on, w = U + omega x R (X + d) + R d' with its R and d, and
+    // turn with the body: where no wall is near, a correction of the angle then leaves nothing to iterate.
+    const Tensor<2, dim> Rt = transpose(configuration.pose.rotation());
+    rates.omega             = velocities.head_omega;
+    next.pose.angle         = known.pose.angle + slope * rates.omega[0];
+    rates.velocity          = next.pose.rotation() * (Rt * velocities.head_velocity);
+    next.pose.center        = known.pose.center + slope * rates.velocity;
     if (!swimmer_.has_tail())
       return next;
 
-    // w = U + omega x R (X + d) + R d', d = known + slope d': solve (1 + slope omega x) d = known + slope (R^T (w - U)
-    // - omega x X).
-    const Tensor<2, dim> inverse = inverse_of_step_rotation<dim>(rates.omega, slope);
-    const Tensor<2, dim> Rt      = transpose(next.pose.rotation());
-    const auto          &mesh    = swimmer_.tail().mesh;
+    const auto &mesh = swimmer_.tail().mesh;
     next.shape.resize(mesh.n_nodes());
     for (unsigned int a = 0; a < mesh.n_nodes(); ++a)
       if (!swimmer_.is_clamped(a))
-        next.shape[a] = inverse * (known.shape[a] + slope * (Rt * (velocities.tail[a] - rates.velocity) -
-                                                             rotational_velocity<dim>(rates.omega, mesh.nodes[a])));
+        next.shape[a] =
+            known.shape[a] + slope * (Rt * (velocities.tail[a] - velocities.head_velocity) -
+                                      rotational_velocity<dim>(rates.omega, mesh.nodes[a] + configuration.shape[a]));
     if (numerics_.tail_order == 1)
       for (unsigned int e = 0; e < mesh.edges().size(); ++e)
         next.shape[mesh.n_vertices() + e] = .5 * (next.shape[mesh.edges()[e][0]] + next.shape[mesh.edges()[e][1]]);
@@ -88,7 +88,7 @@ namespace swimtwin
   StepOutcome MonolithicCoupling<dim>::solve(const TimeStep<dim> &step, Configuration<dim> &configuration,
                                              Rates<dim> &rates)
   {
-    solver_.set_tolerance(linear_tolerance(step.slope_weight));
+    solver_.aim_at(linear_tolerance(step.slope_weight));
     std::vector<double> unknowns      = predict(step, configuration, rates);
     double              change_before = 0.;
     for (int iteration = 1; iteration <= numerics_.max_coupling_iterations; ++iteration)
@@ -104,17 +104,17 @@ namespace swimtwin
       ++counts_.n_iterations;
       if (!system_->solve({configuration, rates, step.slope_weight, step.time_s}, unknowns))
         return StepOutcome::linear_solver_failed;
-      Configuration<dim> next   = advance_kinematics(step, system_->velocities(unknowns), rates);
+      Configuration<dim> next   = advance_kinematics(step, configuration, system_->velocities(unknowns), rates);
       const double       change = swimmer_.relative_change(next, configuration);
       configuration             = std::move(next);
       if (iteration == 2)
-        contraction_ = {change / change_before, step.number};
+        contraction_ = {change / change_before, change_before, step.number};
       if (!(change < far_too_far))
         return StepOutcome::coupling_diverged;
       // What is left to correct is estimated from the iteration's contraction: measured in this step, or, for the first
       // iteration, in a recent one.
       const double left_over =
-          iteration == 1 ? contraction_.expected(step.number) * change : change * change / change_before;
+          iteration == 1 ? contraction_.expected(change, step.number) * change : change * change / change_before;
       if (left_over <= numerics_.coupling_tolerance)
       {
         if (swimmer_.has_tail() && swimmer_.elasticity().is_inverted(configuration.shape))
@@ -129,11 +129,12 @@ namespace swimtwin
   }
 
   template <int dim>
-  double MonolithicCoupling<dim>::Contraction::expected(const int step) const
+  double MonolithicCoupling<dim>::Contraction::expected(const double change_now, const int step) const
   {
+    // Partly Picard's iteration, partly Newton's, whose contraction grows with the correction.
     constexpr int    valid_for_steps = 10;
     constexpr double safety          = 3.;
-    return step - measured_at_step <= valid_for_steps ? safety * value : 1.;
+    return step - measured_at_step <= valid_for_steps ? safety * value * std::max(1., change_now / change) : 1.;
   }
 
   template <int dim>
@@ -150,7 +151,13 @@ namespace swimtwin
   CouplingState MonolithicCoupling<dim>::state()
   {
     solver_.forget_factors();
-    return {unknowns_, unknowns_before_, contraction_.value, contraction_.measured_at_step, counts_, solver_.counts(),
+    return {unknowns_,
+            unknowns_before_,
+            contraction_.value,
+            contraction_.change,
+            contraction_.measured_at_step,
+            counts_,
+            solver_.counts(),
             {}};
   }
 
@@ -159,7 +166,7 @@ namespace swimtwin
   {
     unknowns_        = state.unknowns;
     unknowns_before_ = state.unknowns_before;
-    contraction_     = {state.contraction, state.contraction_measured_at_step};
+    contraction_     = {state.contraction, state.contraction_change, state.contraction_measured_at_step};
     counts_          = state.counts;
     solver_.set_counts(state.linear_counts);
   }

@@ -24,19 +24,21 @@ namespace swimtwin
   private:
     using Coupling<dim>::counts_;
 
-    /// How much one iteration reduces the error, as last measured; 1 when that was too long ago.
+    /// How much one iteration reduced the error when last measured, and how large the first correction was then.
     struct Contraction
     {
       double value            = 1.;
+      double change           = 0.;
       int    measured_at_step = -1000;
-      double expected(int step) const;
+      /// Of a first correction now; 1 when the measurement is too old.
+      double expected(double change_now, int step) const;
     };
 
     double              linear_tolerance(double slope_weight) const;
     std::vector<double> predict(const TimeStep<dim> &step, const Configuration<dim> &configuration,
                                 const Rates<dim> &rates) const;
-    Configuration<dim>  advance_kinematics(const TimeStep<dim> &step, const CoupledVelocities<dim> &velocities,
-                                           Rates<dim> &rates) const;
+    Configuration<dim>  advance_kinematics(const TimeStep<dim> &step, const Configuration<dim> &configuration,
+                                           const CoupledVelocities<dim> &velocities, Rates<dim> &rates) const;
 
     const Swimmer<dim>                 &swimmer_;
     const Numerics                     &numerics_;

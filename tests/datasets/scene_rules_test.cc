@@ -112,6 +112,12 @@ namespace swimtwin
     expect_refused({"numerics.relaxation=0"}, "it must lie between 0, excluded, and 1");
   }
 
+  TEST(SceneRules, AWrongTableIsBlamedOnTheOverrideInIt)
+  {
+    expect_refused({"domain.size_m=[1e-3, 1e-3]"},
+                   "--set domain.size_m=[1e-3, 1e-3]: [domain] does not contain the swimmer");
+  }
+
   // -- parts
 
   TEST(SceneRules, FluidAndDomainComeTogether)

@@ -44,4 +44,16 @@ namespace swimtwin
                            [](const auto &test) {
                              return std::get<0>(test.param).name + std::to_string(std::get<1>(test.param));
                            });
+
+  // A closed domain lets no divergence pass, and a stiff tail answers area strain with a large force: an iteration in
+  // which a rigid turn has either one creeps, and ends far from the solution.
+  TEST(StiffTail, InAClosedDomainTakesNoMoreIterationsThanASoftOne)
+  {
+    const auto motion = simulate(
+        {"open-2d",
+         {"tail.young_modulus_Pa=1e8", "time.periods=1", "time.steps_per_period=40", "numerics.mesh_growth=0.6"}});
+    EXPECT_LE(motion.summary.coupling_iterations_mean, 2.);
+    EXPECT_EQ(motion.summary.n_remeshes + motion.summary.n_step_halvings, 0);
+    EXPECT_LE(std::abs(motion.summary.power_imbalance), 1e-3);
+  }
 } // namespace swimtwin
