@@ -46,7 +46,7 @@ namespace swimtwin
     double              worst_power_imbalance = 0.; ///< worst single period
     double              wall_time_s = 0., cpu_time_s = 0., peak_memory_MB = 0.;
     std::vector<std::pair<std::string, double>> cpu_time_of_part_s; ///< assembly, factorisation, ...
-    std::vector<std::string> warnings; ///< why the result may not be trusted, one sentence each
+    std::vector<std::string>                    warnings; ///< why the result may not be trusted, one sentence each
   };
 
   /// Displacements and power imbalances by period from the rows; counters are left as they are.
