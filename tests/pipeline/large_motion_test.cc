@@ -1,5 +1,6 @@
 #include <tests/pipeline/simulation.h>
 
+#include <iostream>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -59,6 +60,7 @@ namespace swimtwin
     EXPECT_EQ(motion.summary.status, "completed");
     EXPECT_GE(motion.summary.n_remeshes, 1);
     const double angle = motion.trajectory.back().head_angle_rad;
+    std::cout << "head turned by " << angle << " rad, " << motion.summary.n_remeshes << " remeshings" << std::endl;
     EXPECT_GT(angle, 2. * pi);
     EXPECT_NEAR(angle, 2.5 * pi, 0.5 * pi);
     EXPECT_LE(std::abs(motion.summary.power_imbalance), 0.01);
@@ -70,6 +72,7 @@ namespace swimtwin
     const Motion motion = turn(4., {"tail.young_modulus_Pa=4e3"});
     EXPECT_EQ(motion.summary.status, "completed");
     const auto bend = [](const TrajectoryRow &row) { return std::abs(row.tail_angle_rad - row.head_angle_rad); };
+    std::cout << "tail bent by " << largest(motion.trajectory, bend) << " rad" << std::endl;
     EXPECT_GT(largest(motion.trajectory, bend), 0.5 * pi);
     EXPECT_LE(std::abs(motion.summary.power_imbalance), 0.01);
   }

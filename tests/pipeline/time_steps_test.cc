@@ -1,5 +1,6 @@
 #include <tests/pipeline/simulation.h>
 
+#include <iostream>
 #include <cmath>
 
 namespace swimtwin
@@ -32,6 +33,9 @@ namespace swimtwin
       ASSERT_EQ(fine.n_remeshes + coarse.n_remeshes, 0) << "meshes differ";
       motion_changes.push_back(distance(motions[i - 1].trajectory, motions[i].trajectory, 2));
       displacement_changes.push_back(std::abs(fine.net_displacement_m - coarse.net_displacement_m));
+      std::cout << "refinement " << i << ": motion changes by " << motion_changes.back()
+                << " body lengths, displacement by " << displacement_changes.back() << " m, power imbalance "
+                << coarse.worst_power_imbalance << " to " << fine.worst_power_imbalance << std::endl;
       EXPECT_GE(std::abs(coarse.worst_power_imbalance / fine.worst_power_imbalance), 3.) << "refinement " << i;
     }
     for (std::size_t i = 1; i < motion_changes.size(); ++i)
