@@ -102,7 +102,7 @@ namespace swimtwin
       fluid_->set_wall_velocities(map_, point.time_s);
     condensation_.reset();
     if (fluid_)
-      fluid_->assemble(condensation_);
+      fluid_->assemble(condensation_, -point.area_rate);
     if (tail_numbering_)
       assemble_tail(point);
     if (map_.head_is_free())

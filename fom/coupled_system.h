@@ -14,6 +14,7 @@ namespace swimtwin
     const Rates<dim>         &rates;
     double                    slope_weight; ///< d(position)/d(velocity) of the time step, s
     double                    time_s;
+    double                    area_rate = 0.; ///< that the body's surface shall have in a closed domain, m^2/s
   };
 
   /// What was solved for, nodal.

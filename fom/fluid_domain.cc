@@ -24,7 +24,11 @@ namespace swimtwin
         if (std::any_of(mesh().cells[c].begin(), mesh().cells[c].end(),
                         [&](const unsigned int node) { return is_at_surface[node]; }))
           owned_cells_at_surface_.push_back(c);
+        map_.reinit(cell_positions<dim>(mesh().cells[c], positions_));
+        for (unsigned int q = 0; q < map_.n_points(); ++q)
+          volume_ += map_.weight(q);
       }
+    volume_ = Utilities::MPI::sum(volume_, mesh().communicator());
   }
 
   template <int dim>
@@ -107,15 +111,22 @@ namespace swimtwin
   }
 
   template <int dim>
-  void FluidDomain<dim>::assemble(Condensation<dim> &condensation) const
+  void FluidDomain<dim>::assemble(Condensation<dim> &condensation, const double source) const
   {
     FluidCellMatrix<dim>                       K;
-    std::array<double, n_fluid_cell_dofs<dim>> no_load{};
+    std::array<double, n_fluid_cell_dofs<dim>> load{};
     for (unsigned int k = 0; k < owned_cells_.size(); ++k)
     {
       map_.reinit(cell_positions<dim>(mesh().cells[owned_cells_[k]], positions_));
       stokes_cell_matrix<dim>(map_, scene_.fluid->viscosity_Pa_s, pressure_scale_, K);
-      condensation.add(k, K, no_load);
+      for (int v = 0; v <= dim; ++v)
+      {
+        double &f = load[n_cell_nodes<dim> * dim + v];
+        f         = 0.;
+        for (unsigned int q = 0; q < map_.n_points(); ++q)
+          f -= pressure_scale_ * source / volume_ * map_.weight(q) * map_.linear_value(q, v);
+      }
+      condensation.add(k, K, load);
     }
   }
 

@@ -46,7 +46,8 @@ namespace swimtwin
 
     /// Add the fluid's cells to an assembly: once to describe them, then at every new position or time.
     void add_cells(Condensation<dim> &condensation) const;
-    void assemble(Condensation<dim> &condensation) const;
+    /// `source`: rate at which volume is to appear in the fluid, spread evenly (m^2/s in 2D).
+    void assemble(Condensation<dim> &condensation, double source = 0.) const;
 
     /// From the rows' values. Collective.
     FluidReaction react(const std::vector<double> &values) const;
@@ -76,7 +77,7 @@ namespace swimtwin
     std::unique_ptr<MeshExtension<dim>> extension_; ///< made when the swimmer first moves
     std::vector<dealii::Point<dim>>     positions_;
     std::vector<unsigned int>           owned_cells_, owned_cells_at_surface_;
-    double                              pressure_scale_, quality_;
+    double                              pressure_scale_, quality_, volume_ = 0.;
     mutable IsoparametricCell<dim>      map_;
   };
 } // namespace swimtwin

@@ -11,7 +11,7 @@ namespace swimtwin
   template <int dim>
   MonolithicCoupling<dim>::MonolithicCoupling(const Swimmer<dim> &swimmer, const MPI_Comm communicator)
       : swimmer_(swimmer), numerics_(swimmer.scene().numerics), communicator_(communicator),
-        solver_(communicator, solver_options(numerics_))
+        solver_(communicator, solver_options(numerics_)), area_at_rest_(swimmer.area(swimmer.configuration_at_rest()))
   {
   }
 
@@ -37,6 +37,19 @@ namespace swimtwin
     const double        stiffness = slope_weight * (lame.lambda_Pa + 2. * lame.mu_Pa) / scene.fluid->viscosity_Pa_s;
     return std::clamp(numerics_.linear_tolerance * harmless / std::max(stiffness, harmless),
                       std::min(round_off, numerics_.linear_tolerance), numerics_.linear_tolerance);
+  }
+
+  template <int dim>
+  double MonolithicCoupling<dim>::wanted_area_rate(const TimeStep<dim> &step, const Configuration<dim> &configuration,
+                                                   const Rates<dim> &rates) const
+  {
+    // A closed fluid keeps the body's area. Its rate alone would not: what a step adds, second order in its length,
+    // stays for ever, because the pressure's level carries any load.
+    const Scene &scene = swimmer_.scene();
+    if (!scene.fluid || !scene.tail || scene.domain->has_traction_free_wall())
+      return 0.;
+    return swimmer_.area_rate(configuration, rates) -
+           (swimmer_.area(configuration) - area_at_rest_) / step.slope_weight;
   }
 
   template <int dim>
@@ -102,7 +115,8 @@ namespace swimtwin
       }
       const ScopedCpuTime time(counts_.iteration_cpu_s);
       ++counts_.n_iterations;
-      if (!system_->solve({configuration, rates, step.slope_weight, step.time_s}, unknowns))
+      const double area_rate = wanted_area_rate(step, configuration, rates);
+      if (!system_->solve({configuration, rates, step.slope_weight, step.time_s, area_rate}, unknowns))
         return StepOutcome::linear_solver_failed;
       Configuration<dim> next   = advance_kinematics(step, configuration, system_->velocities(unknowns), rates);
       const double       change = swimmer_.relative_change(next, configuration);

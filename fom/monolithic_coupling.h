@@ -35,6 +35,8 @@ namespace swimtwin
     };
 
     double              linear_tolerance(double slope_weight) const;
+    double              wanted_area_rate(const TimeStep<dim> &step, const Configuration<dim> &configuration,
+                                         const Rates<dim> &rates) const;
     std::vector<double> predict(const TimeStep<dim> &step, const Configuration<dim> &configuration,
                                 const Rates<dim> &rates) const;
     Configuration<dim>  advance_kinematics(const TimeStep<dim> &step, const Configuration<dim> &configuration,
@@ -48,5 +50,6 @@ namespace swimtwin
     std::unique_ptr<CoupledSystem<dim>> system_;
     std::vector<double>                 unknowns_, unknowns_before_; ///< on the current mesh; empty: unknown
     Contraction                         contraction_;
+    double                              area_at_rest_;
   };
 } // namespace swimtwin

@@ -83,6 +83,50 @@ namespace swimtwin
     return x;
   }
 
+  namespace
+  {
+    /// Symmetric bilinear form whose value at (x, x) is the area inside a closed curve of quadratic edges; vertices and
+    /// mid-edge nodes alternate. Exact: on an edge from p over m to q the integral of x cross dx is
+    /// 4/3 (p cross m + m cross q) - 1/3 p cross q.
+    double area_form(const std::vector<Tensor<1, 2>> &x, const std::vector<Tensor<1, 2>> &y)
+    {
+      const auto cross = [](const Tensor<1, 2> &a, const Tensor<1, 2> &b) { return a[0] * b[1] - a[1] * b[0]; };
+      double     sum   = 0.;
+      for (unsigned int p = 0, n = x.size(); p < n; p += 2)
+      {
+        const unsigned int m = p + 1, q = (p + 2) % n;
+        const auto         term = [&](const unsigned int a, const unsigned int b) {
+          return .5 * (cross(x[a], y[b]) + cross(y[a], x[b]));
+        };
+        sum += (4. * term(p, m) + 4. * term(m, q) - term(p, q)) / 3.;
+      }
+      return .5 * sum;
+    }
+  } // namespace
+
+  template <int dim>
+  double Swimmer<dim>::area(const Configuration<dim> &configuration) const
+  {
+    std::vector<Tensor<1, dim>> x; // in the head's frame: a rigid motion changes nothing
+    for (unsigned int k = 0; k < n_surface_nodes(); ++k)
+      x.push_back(surface_at_rest_[k] +
+                  (tail_node_of_surface_[k] < 0 ? Tensor<1, dim>() : configuration.shape[tail_node_of_surface_[k]]));
+    return area_form(x, x);
+  }
+
+  template <int dim>
+  double Swimmer<dim>::area_rate(const Configuration<dim> &configuration, const Rates<dim> &rates) const
+  {
+    std::vector<Tensor<1, dim>> x, v;
+    for (unsigned int k = 0; k < n_surface_nodes(); ++k)
+    {
+      const int node = tail_node_of_surface_[k];
+      x.push_back(surface_at_rest_[k] + (node < 0 ? Tensor<1, dim>() : configuration.shape[node]));
+      v.push_back(node < 0 ? Tensor<1, dim>() : rates.shape_rate[node]);
+    }
+    return 2. * area_form(x, v);
+  }
+
   template <int dim>
   std::vector<Point<dim>> Swimmer<dim>::tail_positions(const Configuration<dim> &configuration) const
   {

@@ -58,6 +58,9 @@ namespace swimtwin
     Configuration<dim>              configuration_at_rest() const;
     std::vector<dealii::Point<dim>> surface(const Configuration<dim> &configuration) const;
     std::vector<dealii::Point<dim>> tail_positions(const Configuration<dim> &configuration) const;
+    /// Area (m^2) inside the surface, its quadratic edges included, and the rate at which it changes (2D).
+    double area(const Configuration<dim> &configuration) const;
+    double area_rate(const Configuration<dim> &configuration, const Rates<dim> &rates) const;
     /// Laboratory velocities of the tail's nodes.
     NodalField<dim> tail_velocities(const Configuration<dim> &configuration, const Rates<dim> &rates) const;
 

@@ -207,4 +207,21 @@ namespace swimtwin
     EXPECT_LE(force.norm(), 1e-12 * magnitude);
     EXPECT_NEAR(torque, expected, 1e-11 * std::abs(expected));
   }
+
+  // The area is quadratic in the positions, these are cubic in time: a central difference is h^2 off.
+  TEST_F(SwimmerTest, AreaRateIsTheDerivativeOfTheArea)
+  {
+    constexpr double t = 0.3, h = 1e-4;
+    const double     difference = (swimmer.area(configuration(t + h)) - swimmer.area(configuration(t - h))) / (2. * h);
+    const double     rate       = swimmer.area_rate(configuration(t), rates(t));
+    EXPECT_GT(std::abs(rate), 1e-3 * swimmer.area(configuration(t)));
+    EXPECT_NEAR(rate, difference, 1e-6 * std::abs(rate));
+  }
+
+  // Head, taper from 1.5 to 0.2 mm over 7.4 mm, half circle; a coarse polygon of quadratic edges follows it closely.
+  TEST_F(SwimmerTest, AreaAtRestIsThatOfItsParts)
+  {
+    const double exact = 0.5e-3 * 1.5e-3 + 7.4e-3 * (1.5e-3 + 0.2e-3) / 2. + std::numbers::pi * 0.1e-3 * 0.1e-3 / 2.;
+    EXPECT_NEAR(swimmer.area(swimmer.configuration_at_rest()), exact, 1e-5 * exact);
+  }
 } // namespace swimtwin
