@@ -98,11 +98,11 @@ namespace swimtwin
 
   TEST(BadScene, TheSwimmerFitsIntoItsBox)
   {
-    // Box and swimmer do not fit: the message names the table, no single entry is to blame.
+    // Box and swimmer do not fit: no single entry of the table is to blame, but one was overridden.
     for (const auto &[length, problem] :
          {std::pair("10e-3", "beyond the right wall"), {"15.5e-3", "touches the right wall"}})
       expect_refusal({"reference-2d-casefile", {std::string("domain.size_m=[") + length + ", 20e-3]"}},
-                     {"reference-2d-casefile.toml", "[domain]", problem, "enlarge the domain"});
+                     {"--set domain.size_m", "[domain]", problem, "enlarge the domain"});
   }
 
   TEST(BadScene, AFieldDoesNotSwingWithFrequencyZero)
