@@ -9,7 +9,7 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-TOOL = pathlib.Path(os.environ.get("SWIMTWIN", ROOT / "build" / "release" / "swimtwin"))
+TOOL = pathlib.Path(os.environ.get("SWIMTWIN_TOOL", ROOT / "build" / "release" / "swimtwin"))
 ENVIRONMENT = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1",
                    OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
 
@@ -17,7 +17,7 @@ ENVIRONMENT = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1",
 def run(scene, settings):
     """One run: summary.json, the rows of trajectory.csv, CPU seconds (user and system, start to exit)."""
     if not TOOL.exists():
-        sys.exit(f"{TOOL} is not there: run scripts/build release first, or name the tool in SWIMTWIN")
+        sys.exit(f"{TOOL} is not there: run scripts/build release first, or name the tool in SWIMTWIN_TOOL")
     with tempfile.TemporaryDirectory() as folder:
         command = [str(TOOL), "simulate", str(scene), "--quiet", "--force", "--output", folder]
         for key, value in settings.items():
