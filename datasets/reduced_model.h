@@ -1,0 +1,136 @@
+// The trained reduced swimmer as a file: what is needed to move it, to draw it, and to know when to trust it.
+#pragma once
+
+#include <Eigen/Dense>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace swimtwin
+{
+  struct Provenance;
+
+  /// Modes of the tail: d(X; q) = sum_i q_i mode_i(X) in the head's frame. They are orthonormal in the mean over the
+  /// tail, (1/A) int mode_i . mode_j dX = delta_ij, so that q_i is a root mean square displacement in m. Each has a
+  /// parity under the mirror y -> -y: +1 if it keeps a symmetric tail symmetric, -1 if it bends it.
+  struct ReducedTail
+  {
+    Eigen::MatrixXd nodes_m; ///< n_nodes x 2, reference configuration, origin at the head's centre
+    Eigen::MatrixXi cells;   ///< n_cells x 6: three vertices, then midpoints of edges 01, 12, 20
+    Eigen::MatrixXd modes;   ///< 2 n_nodes x r, interleaved components (x0, y0, x1, ...), zero on the head
+    Eigen::VectorXi parity;  ///< r
+    int             tip_node = 0, before_tip_node = 0; ///< on the axis: the tip, and the middle of the last edge
+  };
+
+  /// St Venant-Kirchhoff energy (J per metre of depth) of the modes, exact: the strain is quadratic in q, so
+  /// W(q) = m^T (lambda G_lambda + mu_s G_mu) m with the monomials m = (q_1 .. q_r, q_1 q_1, q_2 q_1, q_2 q_2, q_3 q_1,
+  /// ...): those of the first k modes alone are a subset, found by `strain_monomial`.
+  struct ReducedElasticity
+  {
+    Eigen::MatrixXd gram_lambda, gram_mu; ///< symmetric, m^2 times powers of 1/m
+    double          poisson_ratio = 0.;
+  };
+
+  /// Index of q_i q_j (j <= i) among the strain monomials of r modes; linear ones come first.
+  constexpr int strain_monomial(const int r, const int i, const int j)
+  {
+    return r + i * (i + 1) / 2 + j;
+  }
+
+  /// Moment per unit depth (A) in the head's frame: head_area_m2 M_head e_x, and for a magnetised tail
+  /// M_tail (area_rest + sum_i q_i area_of_mode_i). The potential of both in a field is -B . R m.
+  struct ReducedMagnet
+  {
+    double          head_area_m2 = 0.;
+    Eigen::Vector2d tail_area_m2 = Eigen::Vector2d::Zero();
+    Eigen::MatrixXd tail_area_of_mode_m; ///< 2 x r
+  };
+
+  /// In a domain closed by walls the body keeps its area: linear . q + q^T quadratic q = 0.
+  struct ReducedArea
+  {
+    bool            is_kept = false;
+    Eigen::VectorXd linear_m;  ///< r
+    Eigen::MatrixXd quadratic; ///< r x r, symmetric
+  };
+
+  /// Resistance (unit viscosity, per unit depth) of the generalised velocities (R^T dx/dt, omega, dq/dt), n = r + 3:
+  ///
+  ///   R = L L^T, L = L_0 C(z), C lower triangular, C_ii = exp(p_ii(z)), C_ij = p_ij(z),
+  ///
+  /// with polynomials p in z = (q_1 / scale_1, ..., q_r / scale_r [, angle / angle_scale]). It is positive definite for
+  /// every z. Outside the trained region |z_q| <= 1 (and |angle| <= angle_scale) the polynomials are evaluated at the
+  /// point that `saturated` pulls back to it. All factors keep their leading blocks when the last modes are left out.
+  struct ReducedResistance
+  {
+    Eigen::MatrixXd factor_at_rest;  ///< L_0, n x n, lower triangular
+    Eigen::VectorXd coordinate_scale_m; ///< r
+    bool            depends_on_angle = false;
+    double          angle_scale_rad  = 1.;
+    Eigen::MatrixXi exponents;    ///< n_features x (r, or r + 1 with the angle last)
+    Eigen::MatrixXd coefficients; ///< n_features x n (n + 1) / 2; entry (i, j), j <= i, is column i (i + 1) / 2 + j
+  };
+
+  /// Where radius rho >= 0 is evaluated: rho itself up to 1, then smoothly (twice differentiable) towards 1.1.
+  double saturated(double rho);
+
+  struct Interval
+  {
+    double low = 0., high = 0.;
+    bool   contains(const double value) const { return value >= low && value <= high; }
+  };
+
+  /// Where the model was trained.
+  struct TrainedRange
+  {
+    Interval young_modulus_Pa, viscosity_Pa_s, magnetization_A_m, frequency_Hz, bx_T, by_T;
+  };
+
+  /// A run of the full-order model that was not used in training, and the reduced model's answer.
+  struct HeldOutRun
+  {
+    double young_modulus_Pa = 0., viscosity_Pa_s = 0., magnetization_A_m = 0., frequency_Hz = 0., bx_T = 0., by_T = 0.;
+    double displacement_m         = 0.; ///< of the third period, full-order
+    double displacement_error_m   = 0.; ///< estimated, of the full-order run
+    double reduced_displacement_m = 0., indicator_m = 0.;
+  };
+
+  /// What was measured when the model was trained.
+  struct TrainingRecord
+  {
+    Eigen::VectorXd          singular_values_m;           ///< of the snapshots, all that were computed
+    double                   energy_captured    = 0.;     ///< sum of squares of the kept ones over that of all
+    int                      n_snapshots        = 0, n_resistance_samples = 0, n_held_out_samples = 0;
+    double                   velocity_error_rms = 0., velocity_error_max = 0.; ///< at held-out shapes, relative
+    double                   largest_condition  = 0.;     ///< of R scaled by its diagonal at rest, over the samples
+    double                   cpu_time_s         = 0.;
+    std::vector<HeldOutRun>  held_out_runs;
+    std::vector<std::string> neglects; ///< physics that the model leaves out, one sentence each, with its size
+  };
+
+  struct ReducedModel
+  {
+    static constexpr int format_version = 1;
+
+    ReducedTail       tail;
+    ReducedElasticity elasticity;
+    ReducedMagnet     magnet;
+    ReducedArea       area;
+    ReducedResistance resistance;
+    TrainedRange      range;
+    TrainingRecord    record;
+    std::string       scene_name, scene_text; ///< the scene it was trained on: nominal parameters, field, time
+
+    int n_modes() const { return static_cast<int>(tail.modes.cols()); }
+  };
+
+  /// The model of the first n_modes modes alone: the same Galerkin projection on a smaller space.
+  ReducedModel truncated(const ReducedModel &model, int n_modes);
+
+  void         write_reduced_model(const std::filesystem::path &file, const ReducedModel &model,
+                                   const Provenance &provenance);
+  /// Throws InputError that names the file and what is wrong: truncated, foreign, another format version, sizes that do
+  /// not fit together, values that are not finite.
+  ReducedModel read_reduced_model(const std::filesystem::path &file);
+} // namespace swimtwin
