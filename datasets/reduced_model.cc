@@ -43,9 +43,13 @@ namespace swimtwin
       return magnet;
     }
 
+    /// Bending alone changes the area to second order only, which other modes are there to undo: without them, it is
+    /// let go.
     ReducedArea leading_modes(const ReducedArea &area, const int k)
     {
-      return {area.is_kept, area.linear_m.head(k), area.quadratic.topLeftCorner(k, k)};
+      constexpr double round_off            = 1e-9;
+      const bool       some_mode_changes_it = area.linear_m.head(k).norm() > round_off * area.linear_m.norm();
+      return {area.is_kept && some_mode_changes_it, area.linear_m.head(k), area.quadratic.topLeftCorner(k, k)};
     }
 
     std::vector<int> features_without_modes_from(const Eigen::MatrixXi &exponents, const int k, const int r)
