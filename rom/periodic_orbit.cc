@@ -21,6 +21,11 @@ namespace swimtwin
       return parameters;
     }
 
+    Eigen::Vector2d head_first(const double heading_rad)
+    {
+      return {-std::cos(heading_rad), -std::sin(heading_rad)};
+    }
+
     double distance_from_one(const std::vector<std::complex<double>> &multipliers)
     {
       double smallest = std::numeric_limits<double>::infinity();
@@ -38,7 +43,12 @@ namespace swimtwin
 
   double PeriodicOrbit::displacement_m(const double heading_rad) const
   {
-    return -(std::cos(heading_rad) * drift_m.x() + std::sin(heading_rad) * drift_m.y());
+    return head_first(heading_rad).dot(drift_m);
+  }
+
+  Eigen::RowVectorXd PeriodicOrbit::displacement_sensitivity(const double heading_rad) const
+  {
+    return head_first(heading_rad).transpose() * drift_sensitivity;
   }
 
   PeriodicOrbitFinder::PeriodicOrbitFinder(const ReducedSwimmer &swimmer, const OrbitOptions &options)
@@ -48,6 +58,11 @@ namespace swimtwin
                                   .control_sensitivity_errors = options.exact_multipliers}),
         plain_(swimmer, {.relative_tolerance = options.relative_tolerance})
   {
+    std::vector<Parameter> all = initial_state(swimmer.n_modes());
+    all.insert(all.end(), options.parameters.begin(), options.parameters.end());
+    if (!options.parameters.empty())
+      parametric_.emplace(swimmer,
+                          IntegratorOptions{.relative_tolerance = options.relative_tolerance, .sensitivities = all});
   }
 
   Eigen::VectorXd PeriodicOrbitFinder::scaled(const SwimmerState &state) const
@@ -168,8 +183,11 @@ namespace swimtwin
         return true;
       if (orbit.closure > growth * smallest)
         return false;
+      const Eigen::VectorXd step = newton_step(start, period);
+      if (!step.allFinite())
+        return false;
       smallest = std::min(smallest, orbit.closure);
-      start += newton_step(start, period);
+      start += step;
       ++orbit.n_newton_steps;
     }
     return false;
@@ -213,6 +231,26 @@ namespace swimtwin
     }
   }
 
+  /// u = Phi(u, p) gives (I - M) du = dPhi/dp dp; the drift changes with the parameters p and with the motion u.
+  void PeriodicOrbitFinder::add_sensitivities(PeriodicOrbit &orbit)
+  {
+    request_.initial_state = orbit.start;
+    const SwimmerRun run   = parametric_->run(request_);
+    if (!run.completed())
+    {
+      orbit.status  = OrbitStatus::failed;
+      orbit.failure = run.failure;
+      return;
+    }
+    const Eigen::MatrixXd &S = run.sensitivity_at_period_end.back();
+    const Eigen::Index     n = swimmer_.n_modes() + 1, n_parameters = S.cols() - n;
+    const Eigen::MatrixXd  Z = free_directions(scaled(orbit.start));
+    const Eigen::MatrixXd  A = Z.transpose() * (Eigen::MatrixXd::Identity(n, n) - S.bottomLeftCorner(n, n)) * Z;
+    const Eigen::MatrixXd  motion =
+        Z * A.colPivHouseholderQr().solve(Z.transpose() * S.bottomRightCorner(n, n_parameters));
+    orbit.drift_sensitivity = S.topRightCorner(2, n_parameters) + S.topLeftCorner(2, n) * motion;
+  }
+
   PeriodicOrbit PeriodicOrbitFinder::find(const RunRequest &request)
   {
     PeriodicOrbit orbit;
@@ -224,6 +262,8 @@ namespace swimtwin
     if (!closed)
       closed = try_newton(wait(start, orbit), orbit);
     conclude(closed, orbit);
+    if (orbit.converged() && parametric_)
+      add_sensitivities(orbit);
     return orbit;
   }
 } // namespace swimtwin

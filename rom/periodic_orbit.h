@@ -4,6 +4,8 @@
 #include <rom/swimmer_integrator.h>
 
 #include <complex>
+#include <optional>
+#include <vector>
 
 namespace swimtwin
 {
@@ -26,6 +28,8 @@ namespace swimtwin
     /// Differentiate the map in every step. Without, its derivatives are kept while the steps still contract: faster,
     /// and the multipliers are those of a motion nearby.
     bool exact_multipliers = true;
+    /// The drift's derivatives by these are wanted.
+    std::vector<Parameter> parameters = {};
   };
 
   struct PeriodicOrbit
@@ -37,13 +41,17 @@ namespace swimtwin
     /// Of angle and shape (without the direction across which a closed domain keeps the area): how a disturbance grows
     /// per period. The heading's is the largest.
     std::vector<std::complex<double>> floquet_multipliers;
-    double                            closure        = 0.; ///< change of state over the period found
-    int                               n_newton_steps = 0, n_periods = 0;
+    /// Of the drift by the options' parameters, 2 x n_parameters, along the family of periodic motions; if converged.
+    Eigen::MatrixXd drift_sensitivity;
+    double          closure        = 0.; ///< change of state over the period found
+    int             n_newton_steps = 0, n_periods = 0;
 
     bool converged() const { return status == OrbitStatus::converged; }
     bool is_stable() const;
     /// Along -(cos heading, sin heading), positive head first.
     double displacement_m(double heading_rad) const;
+    /// Its derivatives by the options' parameters.
+    Eigen::RowVectorXd displacement_sensitivity(double heading_rad) const;
   };
 
   /// Newton's method on the map of one period in (theta, q), with the integrator's sensitivities to the initial state.
@@ -80,10 +88,12 @@ namespace swimtwin
     bool             try_newton(Eigen::VectorXd start, PeriodicOrbit &orbit);
     Eigen::VectorXd  wait(Eigen::VectorXd start, PeriodicOrbit &orbit);
     void             conclude(bool closed, PeriodicOrbit &orbit) const;
+    void             add_sensitivities(PeriodicOrbit &orbit);
 
-    const ReducedSwimmer &swimmer_;
-    OrbitOptions          options_;
-    SwimmerIntegrator     differentiated_, plain_;
-    RunRequest            request_;
+    const ReducedSwimmer            &swimmer_;
+    OrbitOptions                     options_;
+    SwimmerIntegrator                differentiated_, plain_;
+    std::optional<SwimmerIntegrator> parametric_;
+    RunRequest                       request_;
   };
 } // namespace swimtwin

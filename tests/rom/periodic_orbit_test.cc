@@ -55,6 +55,30 @@ namespace swimtwin
     EXPECT_NEAR(deviation(4) / deviation(3), slowest, 0.02 * slowest);
   }
 
+  TEST_P(Orbits, DriftHasItsSensitivities)
+  {
+    OrbitOptions options{.relative_tolerance = 1e-11, .closure = 1e-9};
+    options.parameters             = {{Quantity::viscosity, 0}, {Quantity::frequency, 0}, {Quantity::field, 0}};
+    const Eigen::RowVectorXd found = PeriodicOrbitFinder(swimmer, options).find(request).displacement_sensitivity(0.);
+    ASSERT_EQ(found.size(), 3);
+    options.parameters.clear();
+    PeriodicOrbitFinder finder(swimmer, options);
+    const auto          slope = [&](double &value) {
+      const double centre = value, h = 2e-3 * centre;
+      const auto   at = [&](const double moved) {
+        value = moved;
+        return finder.find(request).displacement_m(0.);
+      };
+      const double difference = (at(centre + h) - at(centre - h)) / (2. * h);
+      value                   = centre;
+      return difference;
+    };
+    const double slopes[] = {slope(request.parameters.viscosity_Pa_s), slope(request.drive.frequency_Hz),
+                             slope(request.drive.parameters[0])};
+    for (int i = 0; i < 3; ++i)
+      EXPECT_NEAR(found[i], slopes[i], 1e-4 * std::abs(slopes[i])) << i;
+  }
+
   TEST_P(Orbits, WithoutAFieldTheHeadingIsNeutral)
   {
     request.drive.parameters.setZero();
