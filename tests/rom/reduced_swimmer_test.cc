@@ -14,6 +14,8 @@ namespace swimtwin
     {
       const char    *name;
       ExampleOptions options;
+
+      friend void PrintTo(const Case &self, std::ostream *stream) { *stream << self.name; }
     };
 
     class Swimmers : public ::testing::TestWithParam<Case>
@@ -123,15 +125,16 @@ namespace swimtwin
     EXPECT_LE(load.head<2>().norm() * swimmer.length_m(), 1e-12 * std::abs(torque));
   }
 
-  TEST_P(Swimmers, AreaIsKeptWhereItMustBe)
+  TEST_P(Swimmers, AreaIsKeptWhereItMustBeAndOnlyThere)
   {
-    if (!swimmer.keeps_area())
-      GTEST_SKIP() << "a domain that the fluid can leave";
-    const SwimmerState   state    = draw();
-    const ShapeVector    q        = state.tail(model.n_modes());
-    const VelocityVector velocity = rate(state);
-    EXPECT_LE(std::abs(swimmer.area_gradient(q).dot(velocity.tail(model.n_modes()))),
-              1e-13 * swimmer.area_gradient(q).norm() * velocity.tail(model.n_modes()).norm());
+    const SwimmerState   state     = draw();
+    const ShapeVector    gradient  = swimmer.area_gradient(state.tail(model.n_modes()));
+    const VelocityVector velocity  = rate(state);
+    const double         change    = std::abs(gradient.dot(velocity.tail(model.n_modes())));
+    const double         largest   = gradient.norm() * velocity.tail(model.n_modes()).norm();
+    const bool           stretches = model.n_modes() > 2; // one of them does
+    EXPECT_TRUE(!swimmer.keeps_area() || change <= 1e-13 * largest);
+    EXPECT_TRUE(swimmer.keeps_area() || !stretches || change > 1e-6 * largest);
   }
 
   TEST_P(Swimmers, MirroredSwimmersMoveMirrored)
