@@ -6,6 +6,18 @@ find_package(fmt REQUIRED)
 pkg_check_modules(TOMLPLUSPLUS REQUIRED IMPORTED_TARGET tomlplusplus)
 pkg_check_modules(LIBCRYPTO REQUIRED IMPORTED_TARGET libcrypto)
 
+# SUNDIALS by its files: its own CMake package asks for every library that it was ever built with, MPI among them.
+find_path(SUNDIALS_INCLUDE_DIR cvodes/cvodes.h REQUIRED)
+add_library(swimtwin_cvodes INTERFACE)
+target_include_directories(swimtwin_cvodes SYSTEM INTERFACE ${SUNDIALS_INCLUDE_DIR})
+foreach(part cvodes nvecserial sunmatrixdense sunlinsoldense sunnonlinsolfixedpoint)
+  find_library(SUNDIALS_${part} sundials_${part} REQUIRED)
+  target_link_libraries(swimtwin_cvodes INTERFACE ${SUNDIALS_${part}})
+endforeach()
+
+find_package(CLI11 REQUIRED)
+find_package(Threads REQUIRED)
+
 # Exactly one HDF5: deal.II's and PETSc's (Open MPI) in the full build, the serial one in the online half.
 if(SWIMTWIN_ONLINE)
   pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5-serial)
@@ -13,7 +25,6 @@ else()
   find_package(MPI REQUIRED COMPONENTS C CXX)
   pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5-openmpi)
   target_link_libraries(PkgConfig::HDF5 INTERFACE MPI::MPI_C)
-  find_package(CLI11 REQUIRED)
 
   find_package(deal.II 9.4.1 REQUIRED)
   add_library(swimtwin_dealii INTERFACE)

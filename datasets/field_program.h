@@ -34,6 +34,13 @@ namespace swimtwin
     Waveform waveform() const { return waveform_; }
     /// Period in s; 0 for a field without one.
     double period_s() const { return period_s_; }
+    /// Amplitudes (T) of a constant or sinusoidal field.
+    double bx_T() const { return bx_T_; }
+    double by_T() const { return by_T_; }
+    /// Samples of a sampled field.
+    const std::vector<double>                &time_s() const { return time_s_; }
+    const std::vector<std::array<double, 3>> &b_T() const { return b_T_; }
+
     double ramp_s = 0.;
 
   private:

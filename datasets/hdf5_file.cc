@@ -199,6 +199,11 @@ namespace swimtwin
     return path == "/" || H5Lexists(file_.id(), path.c_str(), H5P_DEFAULT) > 0;
   }
 
+  bool Hdf5Reader::has_attribute(const std::string &path, const std::string &name) const
+  {
+    return contains(path) && H5Aexists_by_name(file_.id(), path.c_str(), name.c_str(), H5P_DEFAULT) > 0;
+  }
+
   Hdf5Handle Hdf5Reader::open(const std::string &path) const
   {
     if (!contains(path))

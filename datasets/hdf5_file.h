@@ -72,6 +72,7 @@ namespace swimtwin
     explicit Hdf5Reader(const std::filesystem::path &file);
 
     bool                contains(const std::string &path) const;
+    bool                has_attribute(const std::string &path, const std::string &name) const;
     Eigen::MatrixXd     read_matrix(const std::string &path) const;
     Eigen::MatrixXi     read_int_matrix(const std::string &path) const;
     std::vector<double> read_vector(const std::string &path) const;

@@ -64,7 +64,7 @@ namespace swimtwin
   /// point that `saturated` pulls back to it. All factors keep their leading blocks when the last modes are left out.
   struct ReducedResistance
   {
-    Eigen::MatrixXd factor_at_rest;  ///< L_0, n x n, lower triangular
+    Eigen::MatrixXd factor_at_rest;     ///< L_0, n x n, lower triangular
     Eigen::VectorXd coordinate_scale_m; ///< r
     bool            depends_on_angle = false;
     double          angle_scale_rad  = 1.;
@@ -74,6 +74,7 @@ namespace swimtwin
 
   /// Where radius rho >= 0 is evaluated: rho itself up to 1, then smoothly (twice differentiable) towards 1.1.
   double saturated(double rho);
+  double saturated_slope(double rho); ///< its derivative
 
   struct Interval
   {
@@ -99,12 +100,12 @@ namespace swimtwin
   /// What was measured when the model was trained.
   struct TrainingRecord
   {
-    Eigen::VectorXd          singular_values_m;           ///< of the snapshots, all that were computed
-    double                   energy_captured    = 0.;     ///< sum of squares of the kept ones over that of all
-    int                      n_snapshots        = 0, n_resistance_samples = 0, n_held_out_samples = 0;
+    Eigen::VectorXd          singular_values_m;    ///< of the snapshots, all that were computed
+    double                   energy_captured = 0.; ///< sum of squares of the kept ones over that of all
+    int                      n_snapshots = 0, n_resistance_samples = 0, n_held_out_samples = 0;
     double                   velocity_error_rms = 0., velocity_error_max = 0.; ///< at held-out shapes, relative
-    double                   largest_condition  = 0.;     ///< of R scaled by its diagonal at rest, over the samples
-    double                   cpu_time_s         = 0.;
+    double                   largest_condition = 0.; ///< of R scaled by its diagonal at rest, over the samples
+    double                   cpu_time_s        = 0.;
     std::vector<HeldOutRun>  held_out_runs;
     std::vector<std::string> neglects; ///< physics that the model leaves out, one sentence each, with its size
   };
@@ -125,11 +126,12 @@ namespace swimtwin
     int n_modes() const { return static_cast<int>(tail.modes.cols()); }
   };
 
-  /// The model of the first n_modes modes alone: the same Galerkin projection on a smaller space.
+  /// The model of the first n_modes modes alone: the same Galerkin projection on a smaller space. InputError if there
+  /// are not as many.
   ReducedModel truncated(const ReducedModel &model, int n_modes);
 
-  void         write_reduced_model(const std::filesystem::path &file, const ReducedModel &model,
-                                   const Provenance &provenance);
+  /// Layout: docs/file-formats.md. Throws ComputationError for a model that read_reduced_model would refuse.
+  void write_reduced_model(const std::filesystem::path &file, const ReducedModel &model, const Provenance &provenance);
   /// Throws InputError that names the file and what is wrong: truncated, foreign, another format version, sizes that do
   /// not fit together, values that are not finite.
   ReducedModel read_reduced_model(const std::filesystem::path &file);

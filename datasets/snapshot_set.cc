@@ -1,5 +1,5 @@
 #include <datasets/hdf5_file.h>
-#include <datasets/provenance.h>
+#include <datasets/hdf5_provenance.h>
 #include <datasets/snapshot_set.h>
 
 #include <fmt/format.h>
@@ -9,16 +9,6 @@ namespace swimtwin
   namespace
   {
     using RowMajorSparse = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-
-    void write_provenance(Hdf5Writer &writer, const Provenance &provenance)
-    {
-      writer.write_attribute("/", "program_version", provenance.program_version);
-      writer.write_attribute("/", "command_line", provenance.command_line);
-      writer.write_attribute("/", "scene_text", provenance.scene_text);
-      writer.write_attribute("/", "scene_hash", provenance.scene_hash);
-      writer.write_attribute("/", "created", provenance.created);
-      writer.write_attribute("/", "wall_time_s", provenance.wall_time_s);
-    }
 
     void write_mass(Hdf5Writer &writer, RowMajorSparse mass)
     {

@@ -1,0 +1,19 @@
+// Small vectors and matrices that live on the stack: their sizes follow from the number of modes.
+#pragma once
+
+#include <Eigen/Dense>
+
+namespace swimtwin
+{
+  constexpr int max_modes      = 16;
+  constexpr int max_velocities = max_modes + 3;
+
+  using ShapeVector    = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, max_modes, 1>; ///< r
+  using ShapeMatrix    = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, max_modes, max_modes>;
+  using VelocityVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, max_velocities, 1>; ///< r + 3
+  using VelocityMatrix =
+      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, max_velocities, max_velocities>;
+
+  /// (x, y, theta, q_1 .. q_r): head's centre (m), head's angle (rad), shape (m). As long as the velocities.
+  using SwimmerState = VelocityVector;
+} // namespace swimtwin

@@ -1,0 +1,43 @@
+// Time integration of the reduced swimmer with sensitivities: CVODES, BDF, dense, analytic Jacobian.
+#pragma once
+
+#include <rom/reduced_swimmer.h>
+#include <rom/swimmer_run.h>
+
+#include <memory>
+
+namespace swimtwin
+{
+  struct IntegratorOptions
+  {
+    /// Local error per step. Absolute tolerances are this times the body's length for lengths and itself for angles.
+    double                 relative_tolerance = 1e-6;
+    double                 max_step_periods   = 0.05;
+    long                   max_steps          = 200'000; ///< per run
+    bool                   with_work          = false;   ///< integrate magnetic work and dissipation too
+    std::vector<Parameter> sensitivities; ///< state's derivatives by these, their errors controlled like the state's
+  };
+
+  /// Set up once, run often: nothing is allocated between runs, and a run does not depend on those before it. One
+  /// thread each. The equations are integrated in phase, d state / d phase = rate / frequency, so that derivatives by
+  /// the frequency are those at fixed phase.
+  class SwimmerIntegrator
+  {
+  public:
+    /// `swimmer` must live as long. Throws InputError for a sensitivity that the swimmer does not have.
+    SwimmerIntegrator(const ReducedSwimmer &swimmer, const IntegratorOptions &options);
+    ~SwimmerIntegrator();
+    SwimmerIntegrator(SwimmerIntegrator &&) noexcept;
+    SwimmerIntegrator &operator=(SwimmerIntegrator &&) = delete;
+
+    /// A failure of the integrator is a status of the result, whose periods before it are kept.
+    SwimmerRun run(const RunRequest &request);
+
+  private:
+    class Memory;
+    std::unique_ptr<Memory> memory_;
+  };
+
+  /// The swimmer at rest: straight, its head's centre at the origin.
+  SwimmerState state_at_rest(const ReducedSwimmer &swimmer, double angle_rad = 0.);
+} // namespace swimtwin

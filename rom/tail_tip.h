@@ -1,0 +1,31 @@
+// The tail's tip in the head's frame: where it is and where it points.
+#pragma once
+
+#include <datasets/reduced_model.h>
+#include <rom/state_vectors.h>
+
+#include <array>
+
+namespace swimtwin
+{
+  class TailTip
+  {
+  public:
+    explicit TailTip(const ReducedTail &tail);
+
+    Eigen::Vector2d position_m(const ShapeVector &q) const;
+    /// Of the tangent of the tail's material axis at the tip, the derivative at its end of the quadratic through the
+    /// axis' last edge; from the head's +x, in (-pi, pi].
+    double angle_rad(const ShapeVector &q) const;
+
+  private:
+    struct Node
+    {
+      Eigen::Vector2d  place_m;
+      Eigen::Matrix2Xd modes;
+      Eigen::Vector2d  position(const ShapeVector &q) const { return place_m + modes * q; }
+    };
+
+    std::array<Node, 3> last_edge_; ///< its other end, its middle, the tip
+  };
+} // namespace swimtwin
