@@ -2,21 +2,27 @@
 
 #include <datasets/error.h>
 
-#include <mpi.h>
-
 namespace swimtwin
 {
   namespace
   {
-    /// Folder of the shipped scenes: beside the sources that this tool was built from, wherever they are now.
-    std::filesystem::path shipped_scenes()
+    namespace fs = std::filesystem;
+
+    /// Folder of what is shipped: beside the sources that this tool was built from, wherever they are now.
+    fs::path shipped_datasets()
     {
-      std::error_code             error;
-      const std::filesystem::path tool = std::filesystem::read_symlink("/proc/self/exe", error);
-      if (const auto beside = tool.parent_path() / "../../datasets/scenes";
-          !error && std::filesystem::is_directory(beside))
-        return std::filesystem::weakly_canonical(beside);
-      return SWIMTWIN_SCENES;
+      std::error_code error;
+      const fs::path  tool = fs::read_symlink("/proc/self/exe", error);
+      if (const auto beside = tool.parent_path() / "../../datasets"; !error && fs::is_directory(beside))
+        return fs::weakly_canonical(beside);
+      return SWIMTWIN_DATASETS;
+    }
+
+    /// A file as it is named, or the shipped one of that name.
+    fs::path file_or_shipped(const std::string &name, const char *folder, const char *extension)
+    {
+      const fs::path shipped = shipped_datasets() / folder / (name + extension);
+      return !fs::exists(name) && fs::exists(shipped) ? shipped : fs::path(name);
     }
   } // namespace
 
@@ -41,17 +47,11 @@ namespace swimtwin
 
   Scene load_scene(const CommonOptions &options)
   {
-    std::filesystem::path file = options.scene;
-    if (const auto shipped = shipped_scenes() / (options.scene + ".toml");
-        !std::filesystem::exists(file) && std::filesystem::exists(shipped))
-      file = shipped;
-    return read_scene(file, options.overrides);
+    return read_scene(file_or_shipped(options.scene, "scenes", ".toml"), options.overrides);
   }
 
-  bool is_speaker()
+  std::filesystem::path find_model(const std::string &model)
   {
-    int rank = 0;
-    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-    return rank == 0;
+    return file_or_shipped(model, "models", ".h5");
   }
 } // namespace swimtwin

@@ -1,5 +1,7 @@
-// What all verbs share: their common options and how a scene is found.
+// What all verbs share: their common options and how scenes and models are found.
 #pragma once
+
+#include <app/ranks.h>
 
 #include <datasets/scene.h>
 
@@ -32,14 +34,15 @@ namespace swimtwin
   /// The scene of the options, with its overrides. Throws InputError.
   Scene load_scene(const CommonOptions &options);
 
-  /// Whether this process prints: rank 0.
-  bool is_speaker();
+  /// A reduced model by its file, or by the name of a shipped one.
+  std::filesystem::path find_model(const std::string &model);
 
   // Each verb adds itself to the tool and returns its work, to be called if the user chose it.
   using Work = std::function<void()>;
   Work add_plan(CLI::App &tool, const std::string &command_line);
   Work add_simulate(CLI::App &tool, const std::string &command_line);
   Work add_resistance(CLI::App &tool, const std::string &command_line);
+  Work add_sweep(CLI::App &tool, const std::string &command_line);
   Work add_report(CLI::App &tool, const std::string &command_line);
   Work add_demo(CLI::App &tool, const std::string &command_line);
 } // namespace swimtwin

@@ -278,4 +278,11 @@ namespace swimtwin
     const Eigen::Vector3d load     = Eigen::Vector3d(0., 0., torque_N / viscosity_Pa_s) - by_shape;
     return rigid.llt().solve(load);
   }
+
+  SwimmerState state_at_rest(const ReducedSwimmer &swimmer, const double angle_rad)
+  {
+    SwimmerState state = SwimmerState::Zero(swimmer.n_states());
+    state[2]           = angle_rad;
+    return state;
+  }
 } // namespace swimtwin

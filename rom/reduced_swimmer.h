@@ -95,4 +95,7 @@ namespace swimtwin
     ReducedMagnet       magnet_;
     ReducedArea         area_;
   };
+
+  /// The swimmer at rest: straight, its head's centre at the origin.
+  SwimmerState state_at_rest(const ReducedSwimmer &swimmer, double angle_rad = 0.);
 } // namespace swimtwin

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -53,10 +54,12 @@ namespace swimtwin
 
     void ignore_message(int, const char *, const char *, char *, void *) {}
 
-    const char *cause(const int flag)
+    std::string cause(const int flag, const long max_steps)
     {
       switch (flag)
       {
+      case CV_TOO_MUCH_WORK:
+        return fmt::format("more than {} steps are needed", max_steps);
       case CV_ERR_FAILURE:
         return "the error per step stays above the tolerance for the smallest step";
       case CV_CONV_FAILURE:
@@ -216,9 +219,9 @@ namespace swimtwin
       const int    flag     = advance_one_step(end);
       if (flag < 0)
       {
-        run.status = RunStatus::failed;
-        run.failure =
-            fmt::format("the reduced swimmer stopped {:.4g} periods after its start: {}", phase_, cause(flag));
+        run.status  = RunStatus::failed;
+        run.failure = fmt::format("the reduced swimmer stopped {:.4g} periods after its start: {}", phase_,
+                                  cause(flag, options_.max_steps));
         return;
       }
       watch_trust(run);
@@ -287,6 +290,7 @@ namespace swimtwin
     row.elastic_energy_J_m = equations_.elastic_energy_J_m(state);
     row.n_unknowns         = swimmer.n_states();
     run.trajectory.push_back(row);
+    run.snapshots.push_back({phase, state, motion.rate});
   }
 
   void SwimmerIntegrator::Memory::keep_state(SwimmerRun &run)
@@ -346,12 +350,5 @@ namespace swimtwin
   SwimmerRun SwimmerIntegrator::run(const RunRequest &request)
   {
     return memory_->run(request);
-  }
-
-  SwimmerState state_at_rest(const ReducedSwimmer &swimmer, const double angle_rad)
-  {
-    SwimmerState state = SwimmerState::Zero(swimmer.n_states());
-    state[2]           = angle_rad;
-    return state;
   }
 } // namespace swimtwin

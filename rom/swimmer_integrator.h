@@ -15,7 +15,8 @@ namespace swimtwin
     double                 max_step_periods   = 0.05;
     long                   max_steps          = 200'000; ///< per run
     bool                   with_work          = false;   ///< integrate magnetic work and dissipation too
-    std::vector<Parameter> sensitivities; ///< state's derivatives by these, their errors controlled like the state's
+    std::vector<Parameter> sensitivities =
+        {}; ///< state's derivatives by these, their errors controlled like the state's
   };
 
   /// Set up once, run often: nothing is allocated between runs, and a run does not depend on those before it. One
@@ -37,7 +38,4 @@ namespace swimtwin
     class Memory;
     std::unique_ptr<Memory> memory_;
   };
-
-  /// The swimmer at rest: straight, its head's centre at the origin.
-  SwimmerState state_at_rest(const ReducedSwimmer &swimmer, double angle_rad = 0.);
 } // namespace swimtwin

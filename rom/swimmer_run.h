@@ -19,6 +19,13 @@ namespace swimtwin
     int               samples_per_period = 0; ///< rows of the trajectory; 0: none
   };
 
+  struct ReducedSnapshot
+  {
+    double         phase = 0.; ///< periods since the start
+    SwimmerState   state;
+    VelocityVector rate; ///< d state / dt
+  };
+
   /// Work over one period, per unit depth (J/m).
   struct PeriodWork
   {
@@ -40,6 +47,7 @@ namespace swimtwin
     std::vector<Eigen::MatrixXd> sensitivity_at_period_end; ///< the same; (r + 3) x number of parameters, SI
     std::vector<PeriodWork>      work;                      ///< per period, if asked for
     Trajectory                   trajectory;
+    std::vector<ReducedSnapshot> snapshots; ///< of every row of the trajectory
 
     double largest_shape_radius = 0., largest_angle_radius = 0.; ///< above 1: outside the trained region
     long   n_steps = 0, n_rate_evaluations = 0, n_jacobians = 0;

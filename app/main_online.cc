@@ -1,0 +1,8 @@
+// The tool of the online build: the verbs that need neither finite elements nor MPI.
+#include <app/tool.h>
+
+int main(int argc, char **argv)
+{
+  using namespace swimtwin;
+  return run_tool(argc, argv, {{"sweep", add_sweep}, {"report", add_report}});
+}

@@ -1,0 +1,14 @@
+// The processes that work together: several under MPI, one in the online build.
+#pragma once
+
+namespace swimtwin
+{
+  /// Whether this process prints: rank 0.
+  bool is_speaker();
+
+  /// Wait, on all ranks but 0: most errors are noticed by all, and rank 0 speaks for them.
+  void let_speaker_go_first();
+
+  /// End the others, which may wait for this rank for ever; returns if there are none.
+  void end_all_ranks(int exit_code);
+} // namespace swimtwin

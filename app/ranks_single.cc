@@ -1,0 +1,13 @@
+#include <app/ranks.h>
+
+namespace swimtwin
+{
+  bool is_speaker()
+  {
+    return true;
+  }
+
+  void let_speaker_go_first() {}
+
+  void end_all_ranks(int /*exit_code*/) {}
+} // namespace swimtwin

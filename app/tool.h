@@ -1,0 +1,18 @@
+// The command-line tool with a list of verbs.
+#pragma once
+
+#include <app/verb.h>
+
+#include <vector>
+
+namespace swimtwin
+{
+  struct Verb
+  {
+    const char *name;
+    Work (*add)(CLI::App &tool, const std::string &command_line);
+  };
+
+  /// Read the command line, do the verb's work, say what went wrong: the one place for errors. Returns the exit code.
+  int run_tool(int argc, char **argv, const std::vector<Verb> &verbs);
+} // namespace swimtwin
