@@ -4,11 +4,32 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
 namespace swimtwin
 {
+  namespace
+  {
+    /// What tells curves apart, in the order in which they are sorted.
+    using Parameters                              = std::array<double, 5>;
+    constexpr std::array<const char *, 5> symbols = {"E", "M", "μ", "bx", "by"};
+    constexpr std::array<const char *, 5> units   = {"Pa", "A/m", "Pa s", "T", "T"};
+
+    Parameters parameters_of(const SweepPoint &point)
+    {
+      return {point.young_modulus_Pa, point.magnetization_A_m, point.viscosity_Pa_s, point.bx_T, point.by_T};
+    }
+
+    bool differs(const std::vector<SweepPoint> &points, const std::size_t parameter)
+    {
+      return std::any_of(points.begin(), points.end(), [&](const SweepPoint &point) {
+        return parameters_of(point)[parameter] != parameters_of(points.front())[parameter];
+      });
+    }
+  } // namespace
+
   const CurvePoint &FrequencyCurve::peak() const
   {
     return *std::max_element(points.begin(), points.end(), [](const CurvePoint &a, const CurvePoint &b) {
@@ -31,19 +52,17 @@ namespace swimtwin
 
   std::vector<FrequencyCurve> frequency_curves(const std::vector<SweepPoint> &points)
   {
-    const bool one_magnetization = std::all_of(points.begin(), points.end(), [&](const SweepPoint &point) {
-      return point.magnetization_A_m == points.front().magnetization_A_m;
-    });
-    std::map<std::pair<double, double>, std::vector<CurvePoint>> groups;
+    std::map<Parameters, std::vector<CurvePoint>> groups;
     for (const SweepPoint &point : points)
-      groups[{point.young_modulus_Pa, point.magnetization_A_m}].push_back({point.frequency_Hz, point.displacement_m});
+      groups[parameters_of(point)].push_back({point.frequency_Hz, point.displacement_m});
 
     std::vector<FrequencyCurve> curves;
     for (auto &[parameters, group] : groups)
     {
-      std::string name = fmt::format("E = {} Pa", plain_number(parameters.first, 6));
-      if (!one_magnetization)
-        name += fmt::format(", M = {} A/m", plain_number(parameters.second, 6));
+      std::string name = fmt::format("E = {} Pa", plain_number(parameters[0], 6));
+      for (std::size_t k = 1; k < parameters.size(); ++k)
+        if (differs(points, k))
+          name += fmt::format(", {} = {} {}", symbols[k], plain_number(parameters[k], 6), units[k]);
       std::sort(group.begin(), group.end());
       curves.push_back({std::move(name), std::move(group)});
     }

@@ -10,7 +10,8 @@ namespace swimtwin
   struct SweepPoint
   {
     double young_modulus_Pa = 0., magnetization_A_m = 0., frequency_Hz = 0.;
-    double displacement_m = 0.; ///< per period, positive head first
+    double displacement_m = 0.;                       ///< per period, positive head first
+    double viscosity_Pa_s = 0., bx_T = 0., by_T = 0.; ///< 0 where a table does not say
   };
 
   struct CurvePoint
@@ -22,7 +23,7 @@ namespace swimtwin
 
   struct FrequencyCurve
   {
-    std::string             name;   ///< "E = 50000 Pa", with the magnetization if it is not the same everywhere
+    std::string             name;   ///< "E = 50000 Pa", and what else differs between the curves
     std::vector<CurvePoint> points; ///< by frequency; not empty
 
     /// Where the swimmer goes farthest, forwards or backwards.
@@ -33,6 +34,6 @@ namespace swimtwin
     bool is_ambiguous() const;
   };
 
-  /// By stiffness, then magnetization; every point belongs to one curve.
+  /// By stiffness, magnetization, viscosity and field; every point belongs to one curve.
   std::vector<FrequencyCurve> frequency_curves(const std::vector<SweepPoint> &points);
 } // namespace swimtwin

@@ -52,12 +52,16 @@ namespace swimtwin
       if (table.n_rows() == 0)
         throw InputError(fmt::format("{} has a header and no rows; run the sweep again.", file.string()));
       const auto moduli = table.column("young_modulus_Pa"), frequencies = table.column("frequency_Hz"),
-                 displacements               = table.column("displacement_m");
-      const auto              magnetizations = table.has_column("magnetization_A_m") ? table.column("magnetization_A_m")
-                                                                                     : std::vector<double>(table.n_rows(), 0.);
+                 displacements   = table.column("displacement_m");
+      const auto column_or_zeros = [&](const char *name) {
+        return table.has_column(name) ? table.column(name) : std::vector<double>(table.n_rows(), 0.);
+      };
+      const auto magnetizations = column_or_zeros("magnetization_A_m"), viscosities = column_or_zeros("viscosity_Pa_s"),
+                 bx = column_or_zeros("bx_T"), by = column_or_zeros("by_T");
       std::vector<SweepPoint> points;
       for (std::size_t i = 0; i < table.n_rows(); ++i)
-        points.push_back({moduli[i], magnetizations[i], frequencies[i], displacements[i]});
+        points.push_back(
+            {moduli[i], magnetizations[i], frequencies[i], displacements[i], viscosities[i], bx[i], by[i]});
       return points;
     }
 

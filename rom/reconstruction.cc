@@ -90,8 +90,8 @@ namespace swimtwin
   {
     const Eigen::VectorXd d = tail_displacement(tail, state.tail(tail.modes.cols()));
     const Eigen::MatrixXd in_head_frame =
-        tail.nodes_m + Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>>(
-                           d.data(), tail.nodes_m.rows(), 2);
+        tail.nodes_m +
+        Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>>(d.data(), tail.nodes_m.rows(), 2);
     const Eigen::Matrix2d R = Eigen::Rotation2Dd(state[2]).toRotationMatrix();
     return (in_head_frame * R.transpose()).rowwise() + state.head<2>().transpose();
   }
@@ -113,10 +113,10 @@ namespace swimtwin
     {
       const auto &[phase, state, rate] = snapshots[static_cast<std::size_t>(i)];
       set.time_s.push_back(phase / drive.frequency_Hz);
-      set.tail_displacement_m.row(i)     = tail_displacement(tail, state.tail(r));
-      set.tail_velocity_m_s.row(i)       = tail_displacement(tail, rate.tail(r));
-      set.pose.row(i)                    = state.head<3>();
-      set.field_T.row(i).head<2>()       = drive.field->value_T(phase, drive.parameters);
+      set.tail_displacement_m.row(i) = tail_displacement(tail, state.tail(r));
+      set.tail_velocity_m_s.row(i)   = tail_displacement(tail, rate.tail(r));
+      set.pose.row(i)                = state.head<3>();
+      set.field_T.row(i).head<2>()   = drive.field->value_T(phase, drive.parameters);
     }
     return set;
   }

@@ -36,7 +36,7 @@ namespace swimtwin
     /// The member's place on each axis, the last one first, as digits of its index.
     SweepMember member_of(std::size_t index, const SweepAxes &axes, const RunRequest &base)
     {
-      const auto  pick = [&index](const std::vector<double> &values, const double otherwise) {
+      const auto pick = [&index](const std::vector<double> &values, const double otherwise) {
         const double value = values.empty() ? otherwise : values[index % values.size()];
         index /= count(values);
         return value;
@@ -69,8 +69,9 @@ namespace swimtwin
     struct Swimmers
     {
       Swimmers(const ReducedModel &model)
-        : range(model.range), all(model), fewer(truncated(model, n_modes_of_comparison(model.n_modes())))
-      {}
+          : range(model.range), all(model), fewer(truncated(model, n_modes_of_comparison(model.n_modes())))
+      {
+      }
       TrainedRange   range;
       ReducedSwimmer all, fewer;
     };
@@ -80,21 +81,22 @@ namespace swimtwin
     {
     public:
       SweepWorker(const Swimmers &swimmers, const SweepOptions &options)
-        : swimmers_(swimmers), options_(options),
-          all_(swimmers.all, {.relative_tolerance = options.relative_tolerance}),
-          fewer_(swimmers.fewer, {.relative_tolerance = options.relative_tolerance}),
-          orbits_(swimmers.all, {.relative_tolerance = options.relative_tolerance,
-                                 .closure            = 10. * options.relative_tolerance})
-      {}
+          : swimmers_(swimmers), options_(options),
+            all_(swimmers.all, {.relative_tolerance = options.relative_tolerance}),
+            fewer_(swimmers.fewer, {.relative_tolerance = options.relative_tolerance}),
+            orbits_(swimmers.all,
+                    {.relative_tolerance = options.relative_tolerance, .closure = 10. * options.relative_tolerance})
+      {
+      }
 
       SweepResult result_of(const SweepMember &member)
       {
-        const double start = thread_cpu_time_s();
-        SweepResult  result{member, not_known, not_known, not_known, not_known, {}, {}, 0., {}};
-        RunRequest   request = request_of(member, options_);
-        const SwimmerRun run = all_.run(request);
-        result.trust         = trust_notes(swimmers_.range, request, run);
-        result.note          = run.failure;
+        const double     start = thread_cpu_time_s();
+        SweepResult      result{member, not_known, not_known, not_known, not_known, {}, {}, 0., {}};
+        RunRequest       request = request_of(member, options_);
+        const SwimmerRun run     = all_.run(request);
+        result.trust             = trust_notes(swimmers_.range, request, run);
+        result.note              = run.failure;
         if (run.completed())
         {
           result.end            = run.at_period_end.back();
@@ -135,12 +137,6 @@ namespace swimtwin
       SwimmerIntegrator   all_, fewer_;
       PeriodicOrbitFinder orbits_;
     };
-
-    int n_threads(const SweepOptions &options, const std::size_t n_members)
-    {
-      const int wanted = options.n_threads > 0 ? options.n_threads : static_cast<int>(std::thread::hardware_concurrency());
-      return static_cast<int>(std::min<std::size_t>(n_members, static_cast<std::size_t>(std::max(1, wanted))));
-    }
 
     /// Calls work(i) for all i below n on some threads; the first exception ends them all and comes back.
     template <typename MakeWorker>
@@ -189,7 +185,7 @@ namespace swimtwin
     std::vector<SweepResult> results(axes.n_members());
     std::mutex               reporting;
     std::size_t              n_done = 0;
-    share(results.size(), n_threads(options, results.size()), [&] {
+    share(results.size(), n_sweep_threads(options, results.size()), [&] {
       return [&, worker = SweepWorker(swimmers, options)](const std::size_t i) mutable {
         results[i] = worker.result_of(member_of(i, axes, options.base));
         const std::lock_guard lock(reporting);
@@ -199,5 +195,12 @@ namespace swimtwin
       };
     });
     return results;
+  }
+
+  int n_sweep_threads(const SweepOptions &options, const std::size_t n_members)
+  {
+    const auto        cores  = static_cast<int>(std::thread::hardware_concurrency());
+    const std::size_t wanted = static_cast<std::size_t>(std::max(1, options.n_threads > 0 ? options.n_threads : cores));
+    return static_cast<int>(std::min(n_members, wanted));
   }
 } // namespace swimtwin

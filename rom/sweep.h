@@ -19,13 +19,13 @@ namespace swimtwin
 
   struct SweepOptions
   {
-    RunRequest  base;               ///< for what the axes leave open; bx and by need its field to be the sinusoid
-    double      heading_rad = 0.;   ///< displacement counts along -(cos, sin)
-    int         n_periods   = 3;    ///< `displacement_m` is that of the last of them
-    double      relative_tolerance = IntegratorOptions().relative_tolerance;
-    int         n_threads          = 0; ///< 0: as many as the machine has
-    bool        periodic           = true;
-    bool        indicator          = true;
+    RunRequest base; ///< for what the axes leave open; bx and by need its field to be the sinusoid
+    double     heading_rad                              = 0.; ///< displacement counts along -(cos, sin)
+    int        n_periods                                = 3;  ///< `displacement_m` is that of the last of them
+    double     relative_tolerance                       = IntegratorOptions().relative_tolerance;
+    int        n_threads                                = 0; ///< 0: as many as the machine has
+    bool       periodic                                 = true;
+    bool       indicator                                = true;
     std::function<void(std::size_t n_done)> on_progress = {}; ///< called by any of the threads, one at a time
   };
 
@@ -39,16 +39,19 @@ namespace swimtwin
   /// A displacement that could not be computed is NaN, and `note` says why.
   struct SweepResult
   {
-    SweepMember member;
-    double      displacement_m = 0., periodic_displacement_m = 0., error_indicator_m = 0.;
-    double      largest_multiplier = 0.; ///< Floquet's, in size
-    TrustNotes  trust;
-    std::string note;
-    double      cpu_time_s = 0.;
+    SweepMember  member;
+    double       displacement_m = 0., periodic_displacement_m = 0., error_indicator_m = 0.;
+    double       largest_multiplier = 0.; ///< Floquet's, in size
+    TrustNotes   trust;
+    std::string  note;
+    double       cpu_time_s = 0.;
     SwimmerState end; ///< of the last period
   };
 
   /// Results in the order of the axes, the frequency fastest, then by, bx, magnetization, viscosity, stiffness: the
   /// same to the last bit for any number of threads.
   std::vector<SweepResult> sweep(const ReducedModel &model, const SweepAxes &axes, const SweepOptions &options);
+
+  /// How many threads that takes.
+  int n_sweep_threads(const SweepOptions &options, std::size_t n_members);
 } // namespace swimtwin

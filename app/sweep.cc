@@ -1,0 +1,256 @@
+// Verb sweep: displacement against frequency, and against whatever else, on a reduced model.
+#include <app/frequency_picture.h>
+#include <app/model_card.h>
+#include <app/number_text.h>
+#include <app/plots.h>
+#include <app/progress_bar.h>
+#include <app/run_picture.h>
+#include <app/sweep_files.h>
+#include <app/value_list.h>
+#include <app/verb.h>
+
+#include <datasets/dimensionless_groups.h>
+#include <datasets/error.h>
+#include <datasets/output_folder.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <memory>
+
+namespace swimtwin
+{
+  namespace
+  {
+    /// Largest unsteady group that is computed without being asked for, and that is not warned of.
+    constexpr double largest_unsteady_group = 2., noticed_unsteady_group = 1.;
+
+    struct SweepCommand
+    {
+      CommonOptions common;
+      std::string   model;
+      std::string   frequency, young_modulus, viscosity, magnetization, bx, by; ///< as typed; empty: the scene's own
+      int           n_modes = 0, n_threads = 0;
+      double        relative_tolerance = IntegratorOptions().relative_tolerance;
+      bool          allow_inertia = false, no_picture = false;
+    };
+
+    std::vector<double> values(const char *option, const std::string &text, const ValueRule rule, const bool given)
+    {
+      return given ? parse_values(option, text, rule) : std::vector<double>();
+    }
+
+    SweepAxes axes_of(const SweepCommand &command, const CLI::App &verb)
+    {
+      const auto given = [&](const char *option) { return verb.count(option) > 0; };
+      const auto axis  = [&](const char *option, const std::string &text, const ValueRule rule) {
+        return values(option, text, rule, given(option));
+      };
+      return {axis("--young-modulus", command.young_modulus, ValueRule::positive),
+              axis("--viscosity", command.viscosity, ValueRule::positive),
+              axis("--magnetization", command.magnetization, ValueRule::finite),
+              axis("--bx", command.bx, ValueRule::finite),
+              axis("--by", command.by, ValueRule::finite),
+              axis("--frequency", command.frequency, ValueRule::positive)};
+    }
+
+    ReducedModel load_model(const SweepCommand &command)
+    {
+      ReducedModel model = read_reduced_model(find_model(command.model));
+      if (command.n_modes < 0)
+        throw InputError(fmt::format("--modes {} is not possible; choose 1 to {}, or leave it out for all.",
+                                     command.n_modes, model.n_modes()));
+      return command.n_modes > 0 ? truncated(model, command.n_modes) : model;
+    }
+
+    /// The quasi-static model neglects inertia: refuse where it cannot be right, warn where it is not small.
+    std::string inertia_doubt(const Scene &scene, const SweepAxes &axes, const RunRequest &base, const bool allowed)
+    {
+      const auto largest = [](const std::vector<double> &v, const double otherwise) {
+        return v.empty() ? otherwise : *std::max_element(v.begin(), v.end());
+      };
+      const auto smallest = [](const std::vector<double> &v, const double otherwise) {
+        return v.empty() ? otherwise : *std::min_element(v.begin(), v.end());
+      };
+      const double frequency = largest(axes.frequency_Hz, base.drive.frequency_Hz);
+      const double viscosity = smallest(axes.viscosity_Pa_s, base.parameters.viscosity_Pa_s);
+      const double group     = unsteady_group(scene, frequency, viscosity);
+      if (group <= noticed_unsteady_group)
+        return {};
+      const std::string finding =
+          fmt::format("at {:.4g} Hz and {:.4g} Pa s the unsteady group 2 pi rho f L^2 / mu is {:.3g}, and the reduced "
+                      "swimmer neglects inertia",
+                      frequency, viscosity, group);
+      if (group > largest_unsteady_group && !allowed)
+        throw InputError(
+            fmt::format("{}: above {} its displacements are wrong; lower --frequency or raise --viscosity, or "
+                        "say --allow-inertia to compute them all the same.",
+                        finding, largest_unsteady_group));
+      return finding + ": do not trust more than the digits that this leaves";
+    }
+
+    std::size_t n_outside(const std::vector<SweepResult> &results)
+    {
+      return static_cast<std::size_t>(
+          std::count_if(results.begin(), results.end(), [](const SweepResult &r) { return !r.trust.inside(); }));
+    }
+
+    std::vector<std::string> doubts(const std::vector<SweepResult> &results)
+    {
+      std::vector<std::string> sentences;
+      if (const auto n = n_outside(results); n > 0)
+      {
+        const auto first =
+            std::find_if(results.begin(), results.end(), [](const SweepResult &r) { return !r.trust.inside(); });
+        sentences.push_back(
+            fmt::format("{} of {} rows are outside what the model was trained for (the first: {}); they "
+                        "are marked in {}",
+                        n, results.size(), first->trust.text(), sweep_table_name));
+      }
+      const auto n_without = std::count_if(results.begin(), results.end(), [](const SweepResult &r) {
+        return was_computed(r) && !std::isfinite(r.periodic_displacement_m);
+      });
+      if (n_without > 0)
+        sentences.push_back(fmt::format("{} of {} rows have no periodic displacement; the column note says why",
+                                        n_without, results.size()));
+      return sentences;
+    }
+
+    std::string peak_table(const std::vector<FrequencyCurve> &curves)
+    {
+      std::string text = "  curve                         farthest (mm)   at (Hz)\n";
+      for (const FrequencyCurve &curve : curves)
+        text +=
+            fmt::format("  {:<28}  {:>13}  {:>8}{}\n", curve.name, signed_number(mm * curve.peak().displacement_m, 5),
+                        plain_number(curve.peak().frequency_Hz, 4),
+                        curve.peaks_at_its_end() && curve.points.size() > 1 ? "  end of the curve" : "");
+      return text;
+    }
+
+    double now_s()
+    {
+      return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+    }
+
+    SweepOptions options_of(const SweepCommand &command, const Scene &scene, const ReducedModel &model)
+    {
+      SweepOptions options;
+      options.base.parameters       = swimmer_parameters(scene);
+      options.base.drive            = make_drive(scene.field);
+      options.base.initial_state    = SwimmerState::Zero(model.n_modes() + 3);
+      options.base.initial_state[2] = scene.head.angle_rad;
+      options.heading_rad           = scene.head.angle_rad;
+      options.relative_tolerance    = command.relative_tolerance;
+      options.n_threads             = command.n_threads;
+      return options;
+    }
+
+    void write_files(const CommonOptions &common, const ReducedModel &model, const std::vector<SweepResult> &results,
+                     const std::vector<FrequencyCurve> &curves, const SweepRecord &record)
+    {
+      write_sweep_table(common.output / sweep_table_name, results, record);
+      write_sweep_data(common.output / sweep_data_name, results, record);
+      write_sweep_summary(common.output / sweep_summary_name, model, curves, record);
+    }
+
+    void draw(const CommonOptions &common, const std::vector<FrequencyCurve> &curves)
+    {
+      std::string warning;
+      if (gnuplot_is_installed())
+        draw_pictures(common.output / "pictures", {frequency_picture(curves, common.output.filename().string())},
+                      common.command_line, warning);
+      else
+        warning =
+            "no picture was drawn because gnuplot is not installed; install it with `apt-get install gnuplot-nox`";
+      if (!warning.empty())
+        fmt::print(stderr, "swimtwin: {}\n", warning);
+    }
+
+    void sweep_and_report(const SweepCommand &command, const SweepAxes &axes)
+    {
+      const CommonOptions &common  = command.common;
+      const ReducedModel   model   = load_model(command);
+      const Scene          scene   = parse_scene(model.scene_text, model.scene_name + ".toml");
+      SweepOptions         options = options_of(command, scene, model);
+      SweepRecord          record;
+      if (const std::string doubt = inertia_doubt(scene, axes, options.base, command.allow_inertia); !doubt.empty())
+        record.warnings.push_back(doubt);
+      prepare_output_folder(common.output, {sweep_table_name, sweep_data_name, sweep_summary_name}, common.force);
+      if (!common.quiet)
+        fmt::print("{}", model_card(model));
+
+      const double start = now_s();
+      ProgressBar  bar(common.quiet);
+      const int    n_members = static_cast<int>(axes.n_members());
+      options.on_progress    = [&](const std::size_t done) {
+        bar.show(static_cast<int>(done), n_members, static_cast<int>(done), now_s() - start);
+      };
+      const std::vector<SweepResult> results = sweep(model, axes, options);
+      record.wall_time_s                     = now_s() - start;
+      for (const SweepResult &result : results)
+        record.cpu_time_s += result.cpu_time_s;
+      for (const std::string &doubt : doubts(results))
+        record.warnings.push_back(doubt);
+
+      const std::vector<FrequencyCurve> curves = curves_of(results);
+      record.model_file                        = find_model(command.model).string();
+      record.n_modes                           = model.n_modes();
+      record.n_threads                         = n_sweep_threads(options, results.size());
+      record.n_members                         = results.size();
+      record.n_outside_trained_range           = n_outside(results);
+      record.n_not_computed =
+          results.size() - static_cast<std::size_t>(std::count_if(results.begin(), results.end(), was_computed));
+      record.status     = record.n_not_computed == 0 ? "completed"
+                                                     : fmt::format("failed: {} of {} members were not computed",
+                                                                   record.n_not_computed, record.n_members);
+      record.provenance = {SWIMTWIN_VERSION, common.command_line, scene.text,
+                           scene.hash,       utc_time_now(),      record.wall_time_s};
+      write_files(common, model, results, curves, record);
+      for (const std::string &warning : record.warnings)
+        fmt::print(stderr, "swimtwin: warning: {}\n", warning);
+      if (curves.empty())
+        throw ComputationError(fmt::format("no member of the sweep was computed: {}", results.front().note));
+      draw(common, curves);
+      if (common.quiet)
+        return;
+      fmt::print(
+          "{}  {} runs in {:.3g} s on {} threads, {:.2g} ms of CPU time each: three periods, the periodic motion and "
+          "the error indicator\n  results in {}\n",
+          peak_table(curves), results.size(), record.wall_time_s, record.n_threads,
+          1e3 * record.cpu_time_s / static_cast<double>(results.size()), common.output.string());
+    }
+  } // namespace
+
+  Work add_sweep(CLI::App &tool, const std::string &command_line)
+  {
+    auto  command = std::make_shared<SweepCommand>();
+    auto *verb =
+        tool.add_subcommand("sweep", "Displacement against frequency and other parameters, on a reduced model");
+    verb->add_option("model", command->model, "Reduced model (model.h5), or name of a shipped one")->required();
+    const auto add = [&](const char *option, std::string &text, const char *what) {
+      verb->add_option(option, text, what)->type_name("VALUES")->take_last();
+    };
+    add("--frequency", command->frequency,
+        "Hz: a number, a list 0.5,0.8, or a range low:high:number[:log], here and below");
+    add("--young-modulus", command->young_modulus, "Pa, of the tail");
+    add("--viscosity", command->viscosity, "Pa s");
+    add("--magnetization", command->magnetization, "A/m, of the head");
+    add("--bx", command->bx, "T, constant component of the field");
+    add("--by", command->by, "T, amplitude of its swinging component");
+    verb->add_option("--modes", command->n_modes, "Use the first modes only");
+    verb->add_option("--rtol", command->relative_tolerance, "Relative tolerance of the time integration")
+        ->check(CLI::Range(1e-13, 1e-2))
+        ->capture_default_str();
+    verb->add_option("--threads", command->n_threads, "Number of threads; 0: as many as there are cores")
+        ->check(CLI::Range(0, 4096));
+    verb->add_flag("--allow-inertia", command->allow_inertia, "Compute where the neglected inertia is not small, too");
+    add_output_options(*verb, command->common, OutputFolder::required);
+    command->common.command_line = command_line;
+    return [command, verb] {
+      if (is_speaker())
+        sweep_and_report(*command, axes_of(*command, *verb));
+    };
+  }
+} // namespace swimtwin
