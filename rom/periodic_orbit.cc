@@ -43,8 +43,9 @@ namespace swimtwin
 
   PeriodicOrbitFinder::PeriodicOrbitFinder(const ReducedSwimmer &swimmer, const OrbitOptions &options)
       : swimmer_(swimmer), options_(options),
-        differentiated_(swimmer, {.relative_tolerance = options.relative_tolerance,
-                                  .sensitivities      = initial_state(swimmer.n_modes())}),
+        differentiated_(swimmer, {.relative_tolerance         = options.relative_tolerance,
+                                  .sensitivities              = initial_state(swimmer.n_modes()),
+                                  .control_sensitivity_errors = options.exact_multipliers}),
         plain_(swimmer, {.relative_tolerance = options.relative_tolerance})
   {
   }
@@ -132,15 +133,33 @@ namespace swimtwin
     orbit.closure = (period.end - start).norm();
   }
 
+  /// With the derivatives of the last one, if those are good enough.
+  PeriodicOrbitFinder::PeriodMap PeriodicOrbitFinder::next_map(const Eigen::VectorXd &start, const PeriodMap &last,
+                                                               const double last_closure, PeriodicOrbit &orbit)
+  {
+    constexpr double contraction = 0.2;
+    ++orbit.n_periods;
+    if (options_.exact_multipliers || last.monodromy.size() == 0)
+      return map(start, differentiated_);
+    PeriodMap period = map(start, plain_);
+    if (period.completed && (period.end - start).norm() <= contraction * last_closure)
+    {
+      period.monodromy = last.monodromy;
+      return period;
+    }
+    ++orbit.n_periods;
+    return map(start, differentiated_);
+  }
+
   /// Whether it ended at a closed orbit, which may be one of a family.
   bool PeriodicOrbitFinder::try_newton(Eigen::VectorXd start, PeriodicOrbit &orbit)
   {
     constexpr double growth   = 2.; // of the closure: Newton's method leads away
     double           smallest = std::numeric_limits<double>::infinity();
+    PeriodMap        period;
     for (int i = 0; i <= options_.max_newton_steps; ++i)
     {
-      const PeriodMap period = map(start, differentiated_);
-      ++orbit.n_periods;
+      period        = next_map(start, period, smallest, orbit);
       orbit.failure = period.failure;
       if (!period.completed)
         return false;

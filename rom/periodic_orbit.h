@@ -23,6 +23,9 @@ namespace swimtwin
     int    max_newton_steps = 10;
     int    max_periods      = 200;  ///< waited for where Newton's method does not help
     double neutral_distance = 1e-4; ///< of a multiplier from 1
+    /// Differentiate the map in every step. Without, its derivatives are kept while the steps still contract: faster,
+    /// and the multipliers are those of a motion nearby.
+    bool exact_multipliers = true;
   };
 
   struct PeriodicOrbit
@@ -68,8 +71,9 @@ namespace swimtwin
     Eigen::VectorXd scaled(const SwimmerState &state) const;
     SwimmerState    state_of(const Eigen::VectorXd &scaled) const;
     /// Orthonormal directions along which the area does not change: all of them in an open domain.
-    Eigen::MatrixXd  free_directions(const Eigen::VectorXd &start) const;
-    Eigen::VectorXd  newton_step(const Eigen::VectorXd &start, const PeriodMap &period) const;
+    Eigen::MatrixXd free_directions(const Eigen::VectorXd &start) const;
+    Eigen::VectorXd newton_step(const Eigen::VectorXd &start, const PeriodMap &period) const;
+    PeriodMap next_map(const Eigen::VectorXd &start, const PeriodMap &last, double last_closure, PeriodicOrbit &orbit);
     Eigen::VectorXd  area_correction(const Eigen::VectorXd &start) const;
     Eigen::VectorXcd multipliers(const Eigen::VectorXd &start, const PeriodMap &period) const;
     void             describe(const Eigen::VectorXd &start, const PeriodMap &period, PeriodicOrbit &orbit) const;

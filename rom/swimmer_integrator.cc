@@ -12,7 +12,8 @@ namespace swimtwin
 {
   namespace
   {
-    constexpr int n_powers = 2; // magnetic, dissipation
+    constexpr int    n_powers          = 2;    // magnetic, dissipation
+    constexpr double stroke_per_length = 0.03; // of a swimmer's shape and of its path in a period
 
     PhaseEquations &equations(void *data)
     {
@@ -130,7 +131,7 @@ namespace swimtwin
     const double rtol = options_.relative_tolerance;
     void        *cv   = integrator_.get();
     N_VConst(0., state_.get());
-    sundials::values(tolerance_.get()).setConstant(rtol * swimmer.length_m());
+    sundials::values(tolerance_.get()).setConstant(rtol * stroke_per_length * swimmer.length_m());
     sundials::values(tolerance_.get())[2] = rtol;
     CVodeSetErrHandlerFn(cv, ignore_message, nullptr);
     CVodeInit(cv, on_rate, 0., state_.get());
@@ -160,7 +161,7 @@ namespace swimtwin
       N_VConst(0., sensitivities_[i]);
     CVodeSensInit(cv, equations_.n_parameters(), CV_STAGGERED, on_sensitivities, sensitivities_);
     CVodeSensSVtolerances(cv, options_.relative_tolerance, tolerances.data());
-    CVodeSetSensErrCon(cv, true);
+    CVodeSetSensErrCon(cv, options_.control_sensitivity_errors);
   }
 
   void SwimmerIntegrator::Memory::set_up_work()

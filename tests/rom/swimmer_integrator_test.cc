@@ -116,6 +116,7 @@ namespace swimtwin
     const Eigen::MatrixXd sensitivity = run_of(swimmer, request, options).sensitivity_at_period_end.back();
 
     options.sensitivities.clear();
+    options.relative_tolerance = 1e-13; // differences magnify errors
     SwimmerIntegrator plain(swimmer, options);
     const auto        end = [&](const RunRequest &moved) { return plain.run(moved).at_period_end.back(); };
     for (std::size_t p = 0; p < all.size(); ++p)
