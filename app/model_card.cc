@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace swimtwin
 {
@@ -41,6 +42,18 @@ namespace swimtwin
       return fmt::format("displacement off by {:.2g} % (rms), {:.2g} % (worst) in {} full-order runs not trained on",
                          100. * std::sqrt(squares / static_cast<double>(runs.size())), 100. * worst, runs.size());
     }
+    /// How the error indicator compares with the true error, at best and at worst.
+    std::string indicator_line(const std::vector<HeldOutRun> &runs)
+    {
+      double lowest = std::numeric_limits<double>::infinity(), highest = 0.;
+      for (const HeldOutRun &run : runs)
+        if (const double error = std::abs(run.reduced_displacement_m - run.displacement_m); error > 0.)
+        {
+          lowest  = std::min(lowest, run.indicator_m / error);
+          highest = std::max(highest, run.indicator_m / error);
+        }
+      return fmt::format("the error indicator was {:.2g} to {:.2g} times the true error", lowest, highest);
+    }
   } // namespace
 
   std::string model_card(const ReducedModel &model)
@@ -54,6 +67,8 @@ namespace swimtwin
     text += fmt::format(
         "               surface velocity off by {:.2g} % (rms), {:.2g} % (worst) at {} shapes not trained on\n",
         100. * record.velocity_error_rms, 100. * record.velocity_error_max, record.n_held_out_samples);
+    if (!record.held_out_runs.empty())
+      text += fmt::format("               {}\n", indicator_line(record.held_out_runs));
     for (const std::string &neglected : record.neglects)
       text += fmt::format("  neglects     {}\n", neglected);
     return text;

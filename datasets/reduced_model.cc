@@ -53,9 +53,13 @@ namespace swimtwin
       return magnet;
     }
 
+    /// Bending alone changes the area to second order only, which other modes are there to undo: without them, it is
+    /// let go.
     ReducedArea of_amplitudes(const ReducedArea &area, const std::vector<int> &amplitudes)
     {
-      return {area.is_kept, area.linear_m(amplitudes), area.quadratic(amplitudes, amplitudes)};
+      constexpr double round_off            = 1e-9;
+      const bool       some_mode_changes_it = area.linear_m(amplitudes).norm() > round_off * area.linear_m.norm();
+      return {area.is_kept && some_mode_changes_it, area.linear_m(amplitudes), area.quadratic(amplitudes, amplitudes)};
     }
 
     std::vector<int> features_without_modes_from(const Eigen::MatrixXi &exponents, const int k, const int r)

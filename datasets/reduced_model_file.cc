@@ -3,12 +3,11 @@
 #include <datasets/hdf5_provenance.h>
 #include <datasets/reduced_model.h>
 #include <datasets/reduced_model_rules.h>
+#include <datasets/training_record_file.h>
 
 #include <fmt/format.h>
 
 #include <array>
-#include <cmath>
-#include <sstream>
 
 namespace swimtwin
 {
@@ -16,21 +15,7 @@ namespace swimtwin
   {
     constexpr const char *format_name = "swimtwin reduced model";
 
-    // One visitor for both directions: `visit(path, attribute, value, meaning)` writes or reads.
-
-    template <typename Record, typename Visitor>
-    void for_each_figure(Record &record, const Visitor &visit)
-    {
-      visit("energy_captured", record.energy_captured);
-      visit("n_snapshots", record.n_snapshots);
-      visit("n_resistance_samples", record.n_resistance_samples);
-      visit("n_held_out_samples", record.n_held_out_samples);
-      visit("velocity_error_rms", record.velocity_error_rms);
-      visit("velocity_error_max", record.velocity_error_max);
-      visit("largest_condition", record.largest_condition);
-      visit("cpu_time_s", record.cpu_time_s);
-    }
-
+    /// One visitor for both directions.
     template <typename Range, typename Visitor>
     void for_each_interval(Range &range, const Visitor &visit)
     {
@@ -40,28 +25,6 @@ namespace swimtwin
       visit("/range/frequency_Hz", "Hz", range.frequency_Hz);
       visit("/range/bx_T", "T", range.bx_T);
       visit("/range/by_T", "T", range.by_T);
-    }
-
-    constexpr int n_run_columns = 10;
-
-    Eigen::MatrixXd matrix_of(const std::vector<HeldOutRun> &runs)
-    {
-      Eigen::MatrixXd rows(static_cast<Eigen::Index>(runs.size()), n_run_columns);
-      for (Eigen::Index i = 0; i < rows.rows(); ++i)
-      {
-        const HeldOutRun &run = runs[static_cast<std::size_t>(i)];
-        rows.row(i) << run.young_modulus_Pa, run.viscosity_Pa_s, run.magnetization_A_m, run.frequency_Hz, run.bx_T,
-            run.by_T, run.displacement_m, run.displacement_error_m, run.reduced_displacement_m, run.indicator_m;
-      }
-      return rows;
-    }
-
-    std::vector<HeldOutRun> runs_of(const Eigen::MatrixXd &rows)
-    {
-      std::vector<HeldOutRun> runs;
-      for (const auto row : rows.rowwise())
-        runs.push_back({row[0], row[1], row[2], row[3], row[4], row[5], row[6], row[7], row[8], row[9]});
-      return runs;
     }
 
     void write_tail(Hdf5Writer &writer, const ReducedTail &tail)
@@ -119,29 +82,6 @@ namespace swimtwin
           {"1", "one monomial per row; column i (i + 1) / 2 + j is entry (i, j) of C, log on the diagonal"});
       writer.write_attribute("/resistance", "depends_on_angle", resistance.depends_on_angle ? 1. : 0.);
       writer.write_attribute("/resistance", "angle_scale_rad", resistance.angle_scale_rad);
-    }
-
-    void write_record(Hdf5Writer &writer, const TrainingRecord &record)
-    {
-      writer.write_vector("/training/singular_values_m", record.singular_values_m, {"m", "of the snapshots"});
-      writer.write_matrix("/training/held_out_runs", matrix_of(record.held_out_runs),
-                          {"Pa, Pa s, A/m, Hz, T, T, m, m, m, m",
-                           "young_modulus, viscosity, magnetization, frequency, bx, by, full-order displacement of the "
-                           "third period and its error, the reduced model's displacement and its error indicator"});
-      writer.write_text("/training/neglects", fmt::format("{}", fmt::join(record.neglects, "\n")),
-                        {"1", "physics that the model leaves out, one sentence per line"});
-      for_each_figure(record, [&](const char *name, const auto value) {
-        writer.write_attribute("/training", name, static_cast<double>(value));
-      });
-    }
-
-    std::vector<std::string> lines_of(const std::string &text)
-    {
-      std::istringstream       stream(text);
-      std::vector<std::string> lines;
-      for (std::string line; std::getline(stream, line);)
-        lines.push_back(line);
-      return lines;
     }
 
     void require_format(const Hdf5Reader &reader, const std::filesystem::path &file)
@@ -219,23 +159,6 @@ namespace swimtwin
       return range;
     }
 
-    TrainingRecord read_record(const Hdf5Reader &reader)
-    {
-      TrainingRecord record;
-      record.singular_values_m   = read_column(reader, "/training/singular_values_m");
-      record.neglects            = lines_of(reader.read_text("/training/neglects"));
-      const Eigen::MatrixXd runs = reader.read_matrix("/training/held_out_runs");
-      if (runs.cols() != n_run_columns)
-        reader.refuse("/training/held_out_runs",
-                      fmt::format("has {} columns; {} are needed.", runs.cols(), n_run_columns));
-      if (!runs.allFinite() || !record.singular_values_m.allFinite())
-        reader.refuse("/training", "holds a value that is not finite; train the model again.");
-      record.held_out_runs = runs_of(runs);
-      for_each_figure(record, [&](const char *name, auto &value) {
-        value = static_cast<std::decay_t<decltype(value)>>(reader.read_number_attribute("/training", name));
-      });
-      return record;
-    }
   } // namespace
 
   void write_reduced_model(const std::filesystem::path &file, const ReducedModel &model, const Provenance &provenance)
@@ -257,7 +180,7 @@ namespace swimtwin
       writer.write_vector(path, std::array{interval.low, interval.high},
                           {units, "lowest and highest value in training"});
     });
-    write_record(writer, model.record);
+    write_training_record(writer, model.record);
     writer.save(file);
   }
 
@@ -276,7 +199,7 @@ namespace swimtwin
                         reader.read_matrix("/area/quadratic")};
     model.resistance = read_resistance(reader);
     model.range      = read_range(reader);
-    model.record     = read_record(reader);
+    model.record     = read_training_record(reader);
     if (const ModelProblem problem = find_problem(model); !problem.path.empty())
       reader.refuse(problem.path, problem.sentence);
     return model;

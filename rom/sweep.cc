@@ -113,6 +113,8 @@ namespace swimtwin
     private:
       void add_indicator(RunRequest request, SweepResult &result)
       {
+        if (swimmers_.fewer.n_modes() == swimmers_.all.n_modes())
+          return; // nothing to compare with
         request.initial_state = request.initial_state.head(swimmers_.fewer.n_states()).eval();
         const SwimmerRun run  = fewer_.run(request);
         if (run.completed())

@@ -36,7 +36,8 @@ namespace swimtwin
     double            frequency_Hz = 0.;
   };
 
-  /// A displacement that could not be computed is NaN, and `note` says why.
+  /// A displacement that could not be computed is NaN, and `note` says why; so is the indicator of a model with one
+  /// mode.
   struct SweepResult
   {
     SweepMember  member;

@@ -1,6 +1,7 @@
 // Time integration of the reduced swimmer with sensitivities: CVODES, BDF, dense, analytic Jacobian.
 #pragma once
 
+#include <rom/integrator_options.h>
 #include <rom/reduced_swimmer.h>
 #include <rom/swimmer_run.h>
 
@@ -8,16 +9,7 @@
 
 namespace swimtwin
 {
-  struct IntegratorOptions
-  {
-    /// Local error per step. Absolute tolerances are this in rad, and times a stroke (0.03 body lengths) for lengths.
-    double                 relative_tolerance = 1e-6;
-    double                 max_step_periods   = 0.05;
-    long                   max_steps          = 200'000; ///< per run
-    bool                   with_work          = false;   ///< integrate magnetic work and dissipation too
-    std::vector<Parameter> sensitivities      = {};      ///< the state's derivatives by these are integrated with it
-    bool control_sensitivity_errors = true; ///< like the state's; without, they are as good as the state's steps
-  };
+  class PhaseIntegrator;
 
   /// Set up once, run often: nothing is allocated between runs, and a run does not depend on those before it. One
   /// thread each. The equations are integrated in phase, d state / d phase = rate / frequency, so that derivatives by
@@ -35,7 +27,6 @@ namespace swimtwin
     SwimmerRun run(const RunRequest &request);
 
   private:
-    class Memory;
-    std::unique_ptr<Memory> memory_;
+    std::unique_ptr<PhaseIntegrator> integrator_; ///< stays where it is: CVODES holds its address
   };
 } // namespace swimtwin

@@ -58,4 +58,6 @@ namespace swimtwin
   /// Displacement (m) of the head in each period, positive head first for a swimmer of this heading: along
   /// -(cos heading, sin heading).
   std::vector<double> displacement_per_period(const SwimmerRun &run, double heading_rad);
+  /// Their derivatives by the parameters of the run's sensitivities, n_periods x n_parameters; the direction stays.
+  Eigen::MatrixXd displacement_sensitivities(const SwimmerRun &run, double heading_rad);
 } // namespace swimtwin

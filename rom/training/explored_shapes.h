@@ -10,8 +10,8 @@ namespace swimtwin
   /// n members of the range, spread evenly (Halton points from `first` on); ranges above zero are spread by ratio.
   std::vector<RunParameters> spread_members(const TrainedRange &range, int n, int first = 1);
 
-  /// Shapes and angles on the model's own trajectories of three periods; `x` and `y` are those of `rest`, and so is the
-  /// angle if nothing depends on it. A run that fails adds what it reached.
+  /// Shapes and angles on the model's own trajectories of three periods; without drift; the
+  /// angle is that of `rest` if nothing depends on it. A run that fails adds what it reached.
   std::vector<ShapePoint> explored_points(const ReducedModel &model, const std::vector<RunParameters> &members,
                                           const ShapePoint &rest);
 

@@ -32,9 +32,9 @@ namespace swimtwin
       dependence.on_angle = std::max(dependence.on_angle, change(straight, turned));
       for (int c = 0; c < 2; ++c)
       {
-        ShapePoint moved = straight;
-        (c == 0 ? moved.x_m : moved.y_m) += reach_m[c];
-        dependence.on_position = std::max(dependence.on_position, change(straight, moved));
+        ShapePoint moved                             = straight;
+        (c == 0 ? moved.drift_x_m : moved.drift_y_m) = reach_m[c];
+        dependence.on_position                       = std::max(dependence.on_position, change(straight, moved));
       }
     }
     return dependence;

@@ -13,7 +13,7 @@ namespace swimtwin
   };
 
   /// Samples some shapes turned and moved. In a domain that moves with the swimmer there is nothing to measure.
-  /// `reach_m` is how far the head went, along x and y. Collective.
+  /// `reach_m` is how far the body's middle went, along x and y. Collective.
   PoseDependence measure_pose_dependence(const std::vector<ShapePoint> &shapes, const SampledRegion &region,
                                          const ShapePoint &rest, const Eigen::Vector2d &reach_m, ShapeSampler &sampler);
 } // namespace swimtwin

@@ -11,7 +11,7 @@ namespace swimtwin
     Eigen::VectorXd numbers_of(const ShapePoint &point)
     {
       Eigen::VectorXd numbers(point.q.size() + 3);
-      numbers << point.q, point.angle_rad, point.x_m, point.y_m;
+      numbers << point.q, point.angle_rad, point.drift_x_m, point.drift_y_m;
       return numbers;
     }
   } // namespace
@@ -61,7 +61,7 @@ namespace swimtwin
         resistances.row(k) = resistances_[k].reshaped().transpose();
     }
     Hdf5Writer writer;
-    writer.write_matrix("/points", points, {"m, rad, m", "amplitudes of the modes; angle, x and y of the head"});
+    writer.write_matrix("/points", points, {"m, rad, m", "coordinates; angle of the head; drift of the body's middle"});
     writer.write_matrix("/resistances", resistances,
                         {"1, m, m^2",
                          "resistance for unit viscosity, per unit depth, one matrix per row; zero where the "

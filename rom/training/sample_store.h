@@ -13,7 +13,8 @@ namespace swimtwin
   struct ShapePoint
   {
     Eigen::VectorXd q;
-    double          angle_rad = 0., x_m = 0., y_m = 0.; ///< of the head
+    double          angle_rad = 0.;        ///< of the head
+    double drift_x_m = 0., drift_y_m = 0.; ///< of the body's middle, the mean of its surface, from where it began
   };
 
   /// Remembers samples by the exact numbers of their points, failures too. Every rank reads, rank 0 writes.
@@ -33,7 +34,7 @@ namespace swimtwin
   private:
     std::filesystem::path        file_;
     std::string                  key_;
-    std::vector<Eigen::VectorXd> points_; ///< q, angle, x, y
+    std::vector<Eigen::VectorXd> points_; ///< q, angle, drift
     std::vector<Eigen::MatrixXd> resistances_;
   };
 } // namespace swimtwin

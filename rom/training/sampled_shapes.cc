@@ -16,9 +16,27 @@ namespace swimtwin
     {
       const Eigen::MatrixXd q = projection * set.tail_displacement_m.transpose();
       for (Eigen::Index k = 0; k < q.cols(); ++k)
-        points.push_back({q.col(k), set.pose(k, 2), set.pose(k, 0), set.pose(k, 1)});
+        points.push_back({q.col(k), set.pose(k, 2), 0., 0.});
     }
     return points;
+  }
+
+  Eigen::Vector2d reach_of_middle(const std::vector<SnapshotSet> &sets, const Swimmer<2> &swimmer)
+  {
+    Eigen::Vector2d reach = Eigen::Vector2d::Zero();
+    for (const auto &set : sets)
+    {
+      const auto middle = [&](const Eigen::Index k) {
+        RigidPose<2> pose;
+        pose.center = dealii::Point<2>(set.pose(k, 0), set.pose(k, 1));
+        pose.angle  = set.pose(k, 2);
+        return pose.to_laboratory(swimmer.arm_to_middle(nodal_field(set.tail_displacement_m.row(k).transpose())));
+      };
+      for (Eigen::Index k = 0; k < set.pose.rows(); ++k)
+        for (int c = 0; c < 2; ++c)
+          reach[c] = std::max(reach[c], std::abs(middle(k)[c] - middle(0)[c]));
+    }
+    return reach;
   }
 
   SampledRegion region_around(const std::vector<ShapePoint> &points, const double margin)

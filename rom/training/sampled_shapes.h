@@ -5,9 +5,12 @@
 
 namespace swimtwin
 {
-  /// Points of the runs' trajectories, in the coordinates of a basis.
+  /// Points of the runs' trajectories, in the coordinates of a basis, without drift.
   std::vector<ShapePoint> trajectory_points(const std::vector<SnapshotSet> &sets, const TailBasis &basis,
                                             const TailSpace &space);
+
+  /// How far the body's middle went in the runs, along x and y.
+  Eigen::Vector2d reach_of_middle(const std::vector<SnapshotSet> &sets, const Swimmer<2> &swimmer);
 
   /// The region that holds all points, widened by `margin`. No coordinate's scale is below a hundredth of the largest
   /// one's, so that round-off in modes that hardly move cannot leave it.

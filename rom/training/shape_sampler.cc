@@ -23,10 +23,13 @@ namespace swimtwin
 
   Configuration<2> ShapeSampler::configuration(const ShapePoint &point) const
   {
-    Configuration<2> c = swimmer_.configuration_at_rest();
-    c.pose.angle       = point.angle_rad;
-    c.pose.center      = dealii::Point<2>(point.x_m, point.y_m);
-    c.shape            = nodal_field(basis_.displacement(point.q));
+    Configuration<2> c      = swimmer_.configuration_at_rest();
+    const auto       middle = c.pose.to_laboratory(swimmer_.arm_to_middle(c.shape));
+    c.pose.angle            = point.angle_rad;
+    c.shape                 = nodal_field(basis_.displacement(point.q));
+    // A body without force turns about its middle, so that is what stays where it was, not the head.
+    c.pose.center = middle + dealii::Tensor<1, 2>({point.drift_x_m, point.drift_y_m}) -
+                    c.pose.rotation() * swimmer_.arm_to_middle(c.shape);
     return c;
   }
 

@@ -77,12 +77,12 @@ namespace swimtwin
             builder.add(sets_[k], sources_[k].string());
         basis_       = builder.compute(options_.n_coordinates, options_.n_followers);
         n_snapshots_ = builder.n_snapshots();
-        rest_ = {Eigen::VectorXd::Zero(basis_.n_coordinates()), 0., scene_.head.center_m[0], scene_.head.center_m[1]};
+        rest_        = {Eigen::VectorXd::Zero(basis_.n_coordinates()), 0., 0., 0.};
       }
 
       std::string key_of_samples() const
       {
-        std::string bytes = scene_.hash;
+        std::string bytes = "samples about the body's middle " + scene_.hash;
         for (const auto *numbers : {&basis_.coordinates, &basis_.followers, &basis_.quadratic})
           bytes.append(reinterpret_cast<const char *>(numbers->data()),
                        static_cast<std::size_t>(numbers->size()) * sizeof(double));
@@ -93,22 +93,16 @@ namespace swimtwin
       {
         shapes_seen_ = trajectory_points(sets_, basis_, space_);
         region_      = region_around(shapes_seen_, options_.shape_margin);
-        for (const auto &point : shapes_seen_)
-          reach_m_ =
-              reach_m_.cwiseMax(Eigen::Vector2d(std::abs(point.x_m - rest_.x_m), std::abs(point.y_m - rest_.y_m)));
+        reach_m_     = reach_of_middle(sets_, swimmer_);
         if (!scene_.domain->moves_with_swimmer)
         {
           const auto few = spread_out(shapes_seen_, {rest_}, region_, Eigen::VectorXd::Ones(region_.n_variables()), 4);
           pose_          = measure_pose_dependence(few, region_, rest_, reach_m_, sampler);
         }
         region_.depends_on_angle = pose_.on_angle > negligible;
-        for (auto &point : shapes_seen_)
-        {
-          point.x_m = rest_.x_m;
-          point.y_m = rest_.y_m;
-          if (!region_.depends_on_angle)
+        if (!region_.depends_on_angle)
+          for (auto &point : shapes_seen_)
             point.angle_rad = 0.;
-        }
       }
 
       void sample_resistance(ShapeSampler &sampler)
@@ -187,10 +181,9 @@ namespace swimtwin
         r.neglects.push_back(
             scene_.domain->moves_with_swimmer
                 ? "Nothing of the pose: the domain moves with the swimmer."
-                : fmt::format(
-                      "The place in the domain: over the {:.2g} mm x {:.2g} mm that the runs went, resistance changes "
-                      "by at most {:.2g} %.",
-                      1e3 * reach_m_[0], 1e3 * reach_m_[1], 100. * pose_.on_position));
+                : fmt::format("The place in the domain: over the {:.2g} mm x {:.2g} mm that the body's middle went, "
+                              "resistance changes by at most {:.2g} %.",
+                              1e3 * reach_m_[0], 1e3 * reach_m_[1], 100. * pose_.on_position));
         if (!scene_.domain->moves_with_swimmer && !region_.depends_on_angle)
           r.neglects.push_back(
               fmt::format("The angle in the domain: resistance changes by at most {:.2g} %.", 100. * pose_.on_angle));

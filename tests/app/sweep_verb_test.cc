@@ -28,7 +28,8 @@ namespace swimtwin
       testing::internal::CaptureStdout();
       testing::internal::CaptureStderr();
       Outcome outcome;
-      outcome.code   = run_tool(static_cast<int>(argv.size()), argv.data(), {{"sweep", add_sweep}, {"report", add_report}});
+      outcome.code =
+          run_tool(static_cast<int>(argv.size()), argv.data(), {{"sweep", add_sweep}, {"report", add_report}});
       outcome.output = testing::internal::GetCapturedStdout();
       outcome.errors = testing::internal::GetCapturedStderr();
       return outcome;

@@ -273,4 +273,12 @@ namespace swimtwin
     EXPECT_EQ(truncated(all, 3).elasticity.gram_mu, all.elasticity.gram_mu);
     expect_in(message_of<InputError>([&] { truncated(all, 4); }), "4 modes were asked of a reduced model that has 3");
   }
+
+  TEST(ReducedModel, TruncatedLetsGoOfAnAreaThatNoModeIsLeftToKeep)
+  {
+    ReducedModel model  = random_model();
+    model.area.linear_m = Eigen::Vector3d(0., 0., 1e-3);
+    EXPECT_FALSE(truncated(model, 2).area.is_kept);
+    EXPECT_TRUE(truncated(model, 3).area.is_kept);
+  }
 } // namespace swimtwin

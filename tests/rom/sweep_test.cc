@@ -131,6 +131,14 @@ namespace swimtwin
     EXPECT_THROW(sweep(model, axes, options), InputError);
   }
 
+  TEST_F(Sweeps, HaveNoIndicatorWithOneMode)
+  {
+    options.base.initial_state = SwimmerState::Zero(4);
+    const SweepResult result   = sweep(truncated(model, 1), {}, options).front();
+    EXPECT_TRUE(std::isfinite(result.displacement_m));
+    EXPECT_TRUE(std::isnan(result.error_indicator_m));
+  }
+
   TEST(Comparison, UsesTwoModesFewerButAtLeastOne)
   {
     EXPECT_EQ(n_modes_of_comparison(6), 4);

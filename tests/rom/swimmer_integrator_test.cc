@@ -133,6 +133,22 @@ namespace swimtwin
     }
   }
 
+  TEST_P(Runs, DisplacementsHaveTheirSensitivitiesToo)
+  {
+    const IntegratorOptions options{.relative_tolerance = 1e-10, .sensitivities = {{Quantity::magnetization, 0}}};
+    constexpr double        heading = 0.2, step_A_m = 500.;
+    const Eigen::MatrixXd   found = displacement_sensitivities(run_of(swimmer, request, options), heading);
+    const auto              moved = [&](const double by) {
+      return displacement_per_period(run_of(swimmer, shifted(request, {Quantity::magnetization, 0}, by), options),
+                                                  heading);
+    };
+    const auto after = moved(step_A_m), before = moved(-step_A_m);
+    ASSERT_EQ(found.rows(), 3);
+    for (std::size_t i = 0; i < after.size(); ++i)
+      EXPECT_NEAR(found(static_cast<Eigen::Index>(i), 0), (after[i] - before[i]) / (2. * step_A_m),
+                  1e-3 * std::abs(found(static_cast<Eigen::Index>(i), 0)));
+  }
+
   TEST_P(Runs, WorkBalances)
   {
     IntegratorOptions options{.relative_tolerance = 1e-8, .with_work = true};

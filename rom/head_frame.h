@@ -1,0 +1,28 @@
+// Vectors in the head's frame and in the laboratory.
+#pragma once
+
+#include <Eigen/Dense>
+
+#include <cmath>
+
+namespace swimtwin
+{
+  inline Eigen::Vector2d in_head_frame(const double angle, const Eigen::Vector2d &v)
+  {
+    const double c = std::cos(angle), s = std::sin(angle);
+    return {c * v.x() + s * v.y(), -s * v.x() + c * v.y()};
+  }
+
+  inline double cross(const Eigen::Vector2d &a, const Eigen::Vector2d &b)
+  {
+    return a.x() * b.y() - a.y() * b.x();
+  }
+
+  /// Head-frame velocities become rates of the state, in place.
+  template <typename Columns>
+  void turn_to_laboratory(const double angle, Columns &&velocities)
+  {
+    const Eigen::Matrix2d R = Eigen::Rotation2Dd(angle).toRotationMatrix();
+    velocities.topRows(2)   = (R * velocities.topRows(2)).eval();
+  }
+} // namespace swimtwin
