@@ -16,6 +16,7 @@ int main(int argc, char **argv)
                   {{"plan", add_plan},
                    {"simulate", add_simulate},
                    {"resistance", add_resistance},
+                   {"train", add_train},
                    {"sweep", add_sweep},
                    {"report", add_report},
                    {"demo", add_demo}});

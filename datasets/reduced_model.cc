@@ -11,45 +11,55 @@ namespace swimtwin
   {
     constexpr double saturation_width = 0.1;
 
-    ReducedTail leading_modes(ReducedTail tail, const int k)
+    /// Amplitudes of the first k of r coordinates and of all followers.
+    std::vector<int> kept_amplitudes(const ReducedTail &tail, const int k)
     {
-      tail.modes  = tail.modes.leftCols(k).eval();
-      tail.parity = tail.parity.head(k).eval();
-      return tail;
-    }
-
-    /// Indices of the strain monomials of the first k of r modes among those of all r.
-    Eigen::VectorXi kept_strain_monomials(const int r, const int k)
-    {
-      Eigen::VectorXi kept(strain_monomial(k, k, 0));
-      for (int i = 0; i < k; ++i)
-      {
-        kept[i] = i;
-        for (int j = 0; j <= i; ++j)
-          kept[strain_monomial(k, i, j)] = strain_monomial(r, i, j);
-      }
+      std::vector<int> kept;
+      for (int i = 0; i < tail.n_amplitudes(); ++i)
+        if (i < k || i >= tail.n_coordinates())
+          kept.push_back(i);
       return kept;
     }
 
-    ReducedElasticity leading_modes(const ReducedElasticity &elasticity, const int r, const int k)
+    ReducedTail leading_modes(ReducedTail tail, const int k)
     {
-      const Eigen::VectorXi kept = kept_strain_monomials(r, k);
+      const std::vector<int> kept = kept_amplitudes(tail, k);
+      tail.modes                  = tail.modes(Eigen::all, kept).eval();
+      tail.parity                 = tail.parity(kept).eval();
+      tail.followers              = tail.followers.leftCols(k * (k + 1) / 2).eval();
+      return tail;
+    }
+
+    /// Indices of the strain monomials of some of R amplitudes among those of all.
+    std::vector<int> kept_strain_monomials(const int R, const std::vector<int> &amplitudes)
+    {
+      std::vector<int> kept = amplitudes;
+      for (std::size_t i = 0; i < amplitudes.size(); ++i)
+        for (std::size_t j = 0; j <= i; ++j)
+          kept.push_back(strain_monomial(R, amplitudes[i], amplitudes[j]));
+      return kept;
+    }
+
+    ReducedElasticity of_amplitudes(const ReducedElasticity &elasticity, const int R,
+                                    const std::vector<int> &amplitudes)
+    {
+      const std::vector<int> kept = kept_strain_monomials(R, amplitudes);
       return {elasticity.gram_lambda(kept, kept), elasticity.gram_mu(kept, kept), elasticity.poisson_ratio};
     }
 
-    ReducedMagnet leading_modes(ReducedMagnet magnet, const int k)
+    ReducedMagnet of_amplitudes(ReducedMagnet magnet, const std::vector<int> &amplitudes)
     {
-      magnet.tail_area_of_mode_m = magnet.tail_area_of_mode_m.leftCols(k).eval();
+      magnet.tail_area_of_mode_m = magnet.tail_area_of_mode_m(Eigen::all, amplitudes).eval();
       return magnet;
     }
 
     /// Bending alone changes the area to second order only, which other modes are there to undo: without them, it is
     /// let go.
-    ReducedArea leading_modes(const ReducedArea &area, const int k)
+    ReducedArea of_amplitudes(const ReducedArea &area, const std::vector<int> &amplitudes)
     {
       constexpr double round_off            = 1e-9;
-      const bool       some_mode_changes_it = area.linear_m.head(k).norm() > round_off * area.linear_m.norm();
-      return {area.is_kept && some_mode_changes_it, area.linear_m.head(k), area.quadratic.topLeftCorner(k, k)};
+      const bool       some_mode_changes_it = area.linear_m(amplitudes).norm() > round_off * area.linear_m.norm();
+      return {area.is_kept && some_mode_changes_it, area.linear_m(amplitudes), area.quadratic(amplitudes, amplitudes)};
     }
 
     std::vector<int> features_without_modes_from(const Eigen::MatrixXi &exponents, const int k, const int r)
@@ -98,12 +108,13 @@ namespace swimtwin
     if (n_modes < 0 || n_modes > r)
       throw InputError(
           fmt::format("{} modes were asked of a reduced model that has {}; choose 1 to {}.", n_modes, r, r));
-    ReducedModel few = model;
-    few.tail         = leading_modes(model.tail, n_modes);
-    few.elasticity   = leading_modes(model.elasticity, r, n_modes);
-    few.magnet       = leading_modes(model.magnet, n_modes);
-    few.area         = leading_modes(model.area, n_modes);
-    few.resistance   = leading_modes(model.resistance, r, n_modes);
+    ReducedModel few        = model;
+    const auto   amplitudes = kept_amplitudes(model.tail, n_modes);
+    few.tail                = leading_modes(model.tail, n_modes);
+    few.elasticity          = of_amplitudes(model.elasticity, model.tail.n_amplitudes(), amplitudes);
+    few.magnet              = of_amplitudes(model.magnet, amplitudes);
+    few.area                = of_amplitudes(model.area, amplitudes);
+    few.resistance          = leading_modes(model.resistance, r, n_modes);
     return few;
   }
 } // namespace swimtwin

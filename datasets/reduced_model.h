@@ -11,48 +11,55 @@ namespace swimtwin
 {
   struct Provenance;
 
-  /// Modes of the tail: d(X; q) = sum_i q_i mode_i(X) in the head's frame. They are orthonormal in the mean over the
-  /// tail, (1/A) int mode_i . mode_j dX = delta_ij, so that q_i is a root mean square displacement in m. Each has a
-  /// parity under the mirror y -> -y: +1 if it keeps a symmetric tail symmetric, -1 if it bends it.
+  /// Modes of the tail: d(X; q) = sum_k p_k(q) mode_k(X) in the head's frame. The amplitudes p (m) are the r
+  /// coordinates q, then those of s followers, p_{r+k} = sum_{j <= i} followers(k, i (i + 1) / 2 + j) q_i q_j: a tail
+  /// that bends shortens. Modes are orthonormal in the mean over the tail, (1/A) int mode_i . mode_j dX = delta_ij
+  /// among coordinates and among followers, so that an amplitude is a root mean square displacement. Each has a parity
+  /// under the mirror y -> -y: +1 if it keeps a symmetric tail symmetric, -1 if it bends it.
   struct ReducedTail
   {
-    Eigen::MatrixXd nodes_m; ///< n_nodes x 2, reference configuration, origin at the head's centre
-    Eigen::MatrixXi cells;   ///< n_cells x 6: three vertices, then midpoints of edges 01, 12, 20
-    Eigen::MatrixXd modes;   ///< 2 n_nodes x r, interleaved components (x0, y0, x1, ...), zero on the head
-    Eigen::VectorXi parity;  ///< r
+    Eigen::MatrixXd nodes_m;   ///< n_nodes x 2, reference configuration, origin at the head's centre
+    Eigen::MatrixXi cells;     ///< n_cells x 6: three vertices, then midpoints of edges 01, 12, 20
+    Eigen::MatrixXd modes;     ///< 2 n_nodes x (r + s), interleaved components (x0, y0, x1, ...), zero on the head
+    Eigen::MatrixXd followers; ///< s x r (r + 1) / 2, in 1/m
+    Eigen::VectorXi parity;    ///< r + s
     int             tip_node = 0, before_tip_node = 0; ///< on the axis: the tip, and the middle of the last edge
+
+    int n_amplitudes() const { return static_cast<int>(modes.cols()); }
+    int n_coordinates() const { return n_amplitudes() - static_cast<int>(followers.rows()); }
   };
 
-  /// St Venant-Kirchhoff energy (J per metre of depth) of the modes, exact: the strain is quadratic in q, so
-  /// W(q) = m^T (lambda G_lambda + mu_s G_mu) m with the monomials m = (q_1 .. q_r, q_1 q_1, q_2 q_1, q_2 q_2, q_3 q_1,
-  /// ...): those of the first k modes alone are a subset, found by `strain_monomial`.
+  /// St Venant-Kirchhoff energy (J per metre of depth) of the modes, exact: the strain is quadratic in the R = r + s
+  /// amplitudes, so W = m^T (lambda G_lambda + mu_s G_mu) m with the monomials m = (p_1 .. p_R, p_1 p_1, p_2 p_1,
+  /// p_2 p_2, p_3 p_1, ...), of degree 4 in p, and of degree 8 in q if there are followers.
   struct ReducedElasticity
   {
     Eigen::MatrixXd gram_lambda, gram_mu; ///< symmetric, m^2 times powers of 1/m
     double          poisson_ratio = 0.;
   };
 
-  /// Index of q_i q_j (j <= i) among the strain monomials of r modes; linear ones come first.
-  constexpr int strain_monomial(const int r, const int i, const int j)
+  /// Index of p_i p_j (j <= i) among the strain monomials of R modes; linear ones come first.
+  constexpr int strain_monomial(const int R, const int i, const int j)
   {
-    return r + i * (i + 1) / 2 + j;
+    return R + i * (i + 1) / 2 + j;
   }
 
   /// Moment per unit depth (A) in the head's frame: head_area_m2 M_head e_x, and for a magnetised tail
-  /// M_tail (area_rest + sum_i q_i area_of_mode_i). The potential of both in a field is -B . R m.
+  /// M_tail (area_rest + sum_k p_k area_of_mode_k). The potential of both in a field is -B . R m.
   struct ReducedMagnet
   {
     double          head_area_m2 = 0.;
     Eigen::Vector2d tail_area_m2 = Eigen::Vector2d::Zero();
-    Eigen::MatrixXd tail_area_of_mode_m; ///< 2 x r
+    Eigen::MatrixXd tail_area_of_mode_m; ///< 2 x (r + s)
   };
 
-  /// In a domain closed by walls the body keeps its area: linear . q + q^T quadratic q = 0.
+  /// In a domain closed by walls the body keeps its area: linear . p + p^T quadratic p = 0, if the coordinates alone
+  /// could change it. Followers that were fitted to bodies that keep their area leave nothing to keep.
   struct ReducedArea
   {
     bool            is_kept = false;
-    Eigen::VectorXd linear_m;  ///< r
-    Eigen::MatrixXd quadratic; ///< r x r, symmetric
+    Eigen::VectorXd linear_m;  ///< r + s
+    Eigen::MatrixXd quadratic; ///< (r + s) x (r + s), symmetric
   };
 
   /// Resistance (unit viscosity, per unit depth) of the generalised velocities (R^T dx/dt, omega, dq/dt), n = r + 3:
@@ -123,11 +130,12 @@ namespace swimtwin
     TrainingRecord    record;
     std::string       scene_name, scene_text; ///< the scene it was trained on: nominal parameters, field, time
 
-    int n_modes() const { return static_cast<int>(tail.modes.cols()); }
+    /// Coordinates q: each is the amplitude of a mode of its own.
+    int n_modes() const { return tail.n_coordinates(); }
   };
 
-  /// The model of the first n_modes modes alone: the same Galerkin projection on a smaller space. InputError if there
-  /// are not as many.
+  /// The model of the first n_modes coordinates alone, with all followers: the same projection on a smaller space.
+  /// InputError if there are not as many.
   ReducedModel truncated(const ReducedModel &model, int n_modes);
 
   /// Layout: docs/file-formats.md. Throws ComputationError for a model that read_reduced_model would refuse.

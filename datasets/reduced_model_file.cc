@@ -36,6 +36,10 @@ namespace swimtwin
                           {"1", "nodes of each triangle: three vertices, then midpoints of edges 01, 12, 20"});
       writer.write_matrix("/tail/modes", tail.modes,
                           {"1", "one mode per column, interleaved components, orthonormal in the mean over the tail"});
+      if (tail.followers.rows() > 0)
+        writer.write_matrix(
+            "/tail/followers", tail.followers,
+            {"1/m", "amplitudes of the last modes: coefficients of q_i q_j, j <= i, at i (i + 1) / 2 + j"});
       writer.write_vector("/tail/parity", tail.parity, {"1", "1: keeps a symmetric tail symmetric, -1: bends it"});
       writer.write_vector("/tail/tip_nodes", std::array{tail.before_tip_node, tail.tip_node},
                           {"1", "on the axis: the middle of the last edge, and the tip"});
@@ -43,7 +47,7 @@ namespace swimtwin
 
     void write_elasticity(Hdf5Writer &writer, const ReducedElasticity &elasticity)
     {
-      const std::string gram = "energy m^T G m of the strain monomials m = (q_i, q_i q_j with j <= i), unit ";
+      const std::string gram = "energy m^T G m of the strain monomials m = (p_i, p_i p_j with j <= i), unit ";
       writer.write_matrix("/elasticity/gram_lambda", elasticity.gram_lambda, {"m^2 / m^degree", gram + "lambda"});
       writer.write_matrix("/elasticity/gram_mu", elasticity.gram_mu, {"m^2 / m^degree", gram + "shear modulus"});
       writer.write_attribute("/elasticity", "poisson_ratio", elasticity.poisson_ratio);
@@ -54,7 +58,7 @@ namespace swimtwin
       writer.write_vector("/magnet/tail_area_m2", Eigen::VectorXd(magnet.tail_area_m2),
                           {"m^2", "moment of the tail at rest per unit depth and magnetization"});
       writer.write_matrix("/magnet/tail_area_of_mode_m", magnet.tail_area_of_mode_m,
-                          {"m", "its derivative by each mode's coordinate, one mode per column"});
+                          {"m", "its derivative by each mode's amplitude, one mode per column"});
       writer.write_attribute("/magnet", "head_area_m2", magnet.head_area_m2);
     }
 
@@ -112,9 +116,11 @@ namespace swimtwin
     ReducedTail read_tail(const Hdf5Reader &reader)
     {
       ReducedTail tail;
-      tail.nodes_m                  = reader.read_matrix("/tail/nodes_m");
-      tail.cells                    = reader.read_int_matrix("/tail/cells");
-      tail.modes                    = reader.read_matrix("/tail/modes");
+      tail.nodes_m = reader.read_matrix("/tail/nodes_m");
+      tail.cells   = reader.read_int_matrix("/tail/cells");
+      tail.modes   = reader.read_matrix("/tail/modes");
+      if (reader.contains("/tail/followers"))
+        tail.followers = reader.read_matrix("/tail/followers");
       const std::vector<int> parity = reader.read_int_vector("/tail/parity");
       tail.parity                   = Eigen::VectorXi::Map(parity.data(), static_cast<Eigen::Index>(parity.size()));
       const std::string path        = "/tail/tip_nodes";

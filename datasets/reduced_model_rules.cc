@@ -49,14 +49,16 @@ namespace swimtwin
 
     void check(Rules &rules, const ReducedTail &tail)
     {
-      const Eigen::Index n = tail.nodes_m.rows(), r = tail.modes.cols();
+      const Eigen::Index n = tail.nodes_m.rows(), R = tail.modes.cols(), s = tail.followers.rows(), r = R - s;
       rules.require("/tail/nodes_m", n > 0, "is empty.");
       rules.require_size("/tail/nodes_m", tail.nodes_m, n, 2);
       rules.require_size("/tail/cells", tail.cells, tail.cells.rows(), 6);
       rules.require("/tail/cells", are_indices(tail.cells, n),
                     fmt::format("names a node that is not in 0 to {}.", n - 1));
-      rules.require_size("/tail/modes", tail.modes, 2 * n, r);
-      rules.require_size("/tail/parity", tail.parity, r, 1);
+      rules.require_size("/tail/modes", tail.modes, 2 * n, R);
+      rules.require("/tail/followers", r >= 0, fmt::format("has {} followers among {} modes.", s, R));
+      rules.require_size("/tail/followers", tail.followers, s, s > 0 ? r * (r + 1) / 2 : tail.followers.cols());
+      rules.require_size("/tail/parity", tail.parity, R, 1);
       rules.require("/tail/parity", (tail.parity.array().abs() == 1).all(), "holds a number that is neither 1 nor -1.");
       rules.require("/tail/tip_nodes",
                     tail.tip_node >= 0 && tail.tip_node < n && tail.before_tip_node >= 0 && tail.before_tip_node < n,
@@ -133,9 +135,9 @@ namespace swimtwin
   {
     Rules rules;
     check(rules, model.tail);
-    check(rules, model.elasticity, model.n_modes());
-    check(rules, model.magnet, model.n_modes());
-    check(rules, model.area, model.n_modes());
+    check(rules, model.elasticity, model.tail.n_amplitudes());
+    check(rules, model.magnet, model.tail.n_amplitudes());
+    check(rules, model.area, model.tail.n_amplitudes());
     check(rules, model.resistance, model.n_modes());
     check(rules, model.range);
     return rules.problem();

@@ -5,6 +5,8 @@
 
 namespace swimtwin
 {
+  using namespace dealii;
+
   std::string cause(const StepOutcome outcome)
   {
     switch (outcome)
@@ -61,6 +63,17 @@ namespace swimtwin
     return std::make_unique<MonolithicCoupling<dim>>(swimmer, communicator);
   }
 
+  template <int dim>
+  Point<dim> head_center(const Swimmer<dim> &swimmer, const TimeStep<dim> &step,
+                         const Configuration<dim> &configuration, const Rates<dim> &rates)
+  {
+    const Tensor<2, dim> R   = configuration.pose.rotation();
+    const Tensor<1, dim> arm = R * swimmer.arm_to_middle(configuration.shape);
+    const Tensor<1, dim> velocity_of_middle =
+        rates.velocity + rotational_velocity<dim>(rates.omega, arm) + R * swimmer.rate_of_arm(rates.shape_rate);
+    return step.known.pose.center + step.slope_weight * velocity_of_middle - arm;
+  }
+
   LinearSolverOptions solver_options(const Numerics &numerics)
   {
     LinearSolverOptions options;
@@ -79,5 +92,6 @@ namespace swimtwin
     return next;
   }
 
+  template Point<2> head_center<2>(const Swimmer<2> &, const TimeStep<2> &, const Configuration<2> &, const Rates<2> &);
   template std::unique_ptr<Coupling<2>> make_coupling<2>(const Swimmer<2> &, MPI_Comm);
 } // namespace swimtwin

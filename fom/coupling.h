@@ -23,16 +23,22 @@ namespace swimtwin
   std::string cause(StepOutcome outcome);
   std::string remedy(StepOutcome outcome, const Scene &scene);
 
-  /// One implicit step of a two-step formula: configuration = known + slope_weight * rates, both at its end.
+  /// One implicit step of a two-step formula: what is advanced = known + slope_weight * its rate, both at its end.
+  /// Advanced are the angle, the shape and the middle of the body, from which the head's centre follows.
   template <int dim>
   struct TimeStep
   {
-    Configuration<dim> known;
+    Configuration<dim> known;        ///< its centre is the middle's
     double             slope_weight; ///< s; 0: the configuration is given, only the rates are looked for
     double             time_s;       ///< at its end
     double             growth;       ///< its length over that of the step before; 0: nothing before
     int                number;       ///< of steps before it
   };
+
+  /// Centre of the head of a configuration whose angle and shape are at the end of the step, like the rates.
+  template <int dim>
+  dealii::Point<dim> head_center(const Swimmer<dim> &swimmer, const TimeStep<dim> &step,
+                                 const Configuration<dim> &configuration, const Rates<dim> &rates);
 
   struct CouplingCounts
   {

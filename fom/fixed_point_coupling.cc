@@ -137,8 +137,8 @@ namespace swimtwin
       std::vector<double> values = flow_->fluid_values(unknowns);
 
       Configuration<dim> image = configuration;
-      image.pose.center        = step.known.pose.center + step.slope_weight * rates.velocity;
       image.pose.angle         = step.known.pose.angle + step.slope_weight * rates.omega[0];
+      image.pose.center        = head_center(swimmer_, step, image, rates);
       {
         const ScopedCpuTime tail_time(counts_.tail_cpu_s);
         if (!tail_.solve(loads_on_tail(configuration, step.time_s, values), tail_tolerance_m, image.shape))

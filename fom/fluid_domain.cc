@@ -142,7 +142,7 @@ namespace swimtwin
       map_.reinit(cell_positions<dim>(mesh().cells[c], positions_));
       stokes_cell_matrix<dim>(map_, scene_.fluid->viscosity_Pa_s, pressure_scale_, K);
       const auto rows = cell_rows(c);
-      for (unsigned int i = 0; i < n_velocity; ++i)
+      for (unsigned int i = 0; i < rows.size(); ++i)
       {
         double viscous = 0., total = 0.;
         for (unsigned int j = 0; j < rows.size(); ++j)
@@ -152,7 +152,8 @@ namespace swimtwin
             viscous = total;
         }
         force[rows[i]] += total;
-        dissipation += values[rows[i]] * viscous;
+        if (i < n_velocity)
+          dissipation += values[rows[i]] * viscous;
       }
     }
     return dissipation;

@@ -51,7 +51,8 @@ namespace swimtwin
 
     /// From the rows' values. Collective.
     FluidReaction react(const std::vector<double> &values) const;
-    /// The same forces, right at the rows of the swimmer's surface alone, for the price of the cells there. Collective.
+    /// The same forces (and divergences at the pressures' rows) for the price of the cells at the swimmer's surface:
+    /// right at the surface's rows, and everywhere if the values are zero off it. Collective.
     std::vector<double> force_on_fluid_at_surface(const std::vector<double> &values) const;
 
     /// Pressure in Pa is the row's value times this.

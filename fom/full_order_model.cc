@@ -61,7 +61,7 @@ namespace swimtwin
   void FullOrderModel<dim>::solve_initial_flow()
   {
     // Without a tail the velocities follow from the position alone; with one, the run starts from rest.
-    const TimeStep<dim> no_step{now_.configuration, 0., 0., 0., 0};
+    const TimeStep<dim> no_step{known_part(Bdf2(0., 0.)), 0., 0., 0., 0};
     if (coupling_->solve(no_step, now_.configuration, now_.rates) != StepOutcome::accepted)
       throw ComputationError("the flow at the start could not be solved: refine [numerics] mesh_size_m");
     balance_ = compute_balance();
@@ -148,7 +148,10 @@ namespace swimtwin
   {
     const Configuration<dim> &now = now_.configuration, &before = time_step_before_ > 0. ? before_.configuration : now;
     Configuration<dim>        known;
-    known.pose.center = Point<dim>(bdf.known(Tensor<1, dim>(now.pose.center), Tensor<1, dim>(before.pose.center)));
+    const auto                middle = [this](const Configuration<dim> &c) -> Tensor<1, dim> {
+      return c.pose.to_laboratory(swimmer_.arm_to_middle(c.shape));
+    };
+    known.pose.center = Point<dim>(bdf.known(middle(now), middle(before)));
     known.pose.angle  = bdf.known(now.pose.angle, before.pose.angle);
     known.shape.resize(now.shape.size());
     for (unsigned int a = 0; a < now.shape.size(); ++a)
@@ -178,10 +181,10 @@ namespace swimtwin
 
     Rates<dim>         rates         = extrapolated_rates(growth);
     Configuration<dim> configuration = step.known;
-    configuration.pose.center += bdf.slope_weight * rates.velocity;
     configuration.pose.angle += bdf.slope_weight * rates.omega[0];
     for (unsigned int a = 0; a < configuration.shape.size(); ++a)
       configuration.shape[a] += bdf.slope_weight * rates.shape_rate[a];
+    configuration.pose.center = head_center(swimmer_, step, configuration, rates);
 
     const int         iterations_before = coupling_->counts().n_iterations;
     const StepOutcome outcome           = coupling_->solve(step, configuration, rates);

@@ -1,23 +1,13 @@
 #include <fom/linear_system.h>
 
-#include <datasets/error.h>
 #include <fom/cpu_time.h>
+#include <fom/petsc_error.h>
 
+#include <algorithm>
 #include <cmath>
-#include <string>
 
 namespace swimtwin
 {
-  namespace
-  {
-    void check(const PetscErrorCode code, const char *what)
-    {
-      if (code != 0)
-        throw ComputationError(std::string("the linear algebra failed while it ") + what + " (PETSc error " +
-                               std::to_string(code) + "): most likely memory is short; use a coarser mesh");
-    }
-  } // namespace
-
   LinearSystem::LinearSystem(const MPI_Comm communicator, const LinearSolverOptions &options)
       : communicator_(communicator), options_(options)
   {
@@ -46,36 +36,36 @@ namespace swimtwin
     clear();
     first_row_ = first_row;
     last_row_  = last_row;
-    check(MatCreate(communicator_, &matrix_), "made a matrix");
-    check(MatSetSizes(matrix_, last_row - first_row, last_row - first_row, PETSC_DETERMINE, PETSC_DETERMINE),
-          "sized a matrix");
-    check(MatSetType(matrix_, MATAIJ), "made a matrix");
-    check(MatSetPreallocationCOO(matrix_, rows.size(), rows.data(), columns.data()), "laid out a matrix");
+    check_petsc(MatCreate(communicator_, &matrix_), "made a matrix");
+    check_petsc(MatSetSizes(matrix_, last_row - first_row, last_row - first_row, PETSC_DETERMINE, PETSC_DETERMINE),
+                "sized a matrix");
+    check_petsc(MatSetType(matrix_, MATAIJ), "made a matrix");
+    check_petsc(MatSetPreallocationCOO(matrix_, rows.size(), rows.data(), columns.data()), "laid out a matrix");
     if (options_.positive_definite)
-      check(MatSetOption(matrix_, MAT_SPD, PETSC_TRUE), "marked a matrix");
-    check(MatCreateVecs(matrix_, &solution_, &rhs_), "made vectors");
-    check(VecGetSize(rhs_, &size_), "sized vectors");
-    check(VecScatterCreateToAll(solution_, &gather_, &gathered_), "made vectors");
+      check_petsc(MatSetOption(matrix_, MAT_SPD, PETSC_TRUE), "marked a matrix");
+    check_petsc(MatCreateVecs(matrix_, &solution_, &rhs_), "made vectors");
+    check_petsc(VecGetSize(rhs_, &size_), "sized vectors");
+    check_petsc(VecScatterCreateToAll(solution_, &gather_, &gathered_), "made vectors");
 
-    check(KSPCreate(communicator_, &ksp_), "made a solver");
-    check(KSPSetOperators(ksp_, matrix_, matrix_), "made a solver");
-    check(KSPSetType(ksp_, options_.direct ? KSPPREONLY : KSPGMRES), "made a solver");
+    check_petsc(KSPCreate(communicator_, &ksp_), "made a solver");
+    check_petsc(KSPSetOperators(ksp_, matrix_, matrix_), "made a solver");
+    check_petsc(KSPSetType(ksp_, options_.direct ? KSPPREONLY : KSPGMRES), "made a solver");
     if (!options_.direct)
     {
-      check(KSPGMRESSetRestart(ksp_, 60), "made a solver");
-      check(KSPSetInitialGuessNonzero(ksp_, PETSC_TRUE), "made a solver");
-      check(KSPConvergedDefaultSetUIRNorm(ksp_), "made a solver");
+      check_petsc(KSPGMRESSetRestart(ksp_, 60), "made a solver");
+      check_petsc(KSPSetInitialGuessNonzero(ksp_, PETSC_TRUE), "made a solver");
+      check_petsc(KSPConvergedDefaultSetUIRNorm(ksp_), "made a solver");
     }
     PC pc;
-    check(KSPGetPC(ksp_, &pc), "made a solver");
-    check(PCSetType(pc, options_.positive_definite ? PCCHOLESKY : PCLU), "made a solver");
-    check(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS), "chose MUMPS");
+    check_petsc(KSPGetPC(ksp_, &pc), "made a solver");
+    check_petsc(PCSetType(pc, options_.positive_definite ? PCCHOLESKY : PCLU), "made a solver");
+    check_petsc(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS), "chose MUMPS");
   }
 
   void LinearSystem::set_matrix(const std::vector<double> &values)
   {
     const ScopedCpuTime time(counts_.assembly_cpu_s);
-    check(MatSetValuesCOO(matrix_, values.data(), INSERT_VALUES), "filled a matrix");
+    check_petsc(MatSetValuesCOO(matrix_, values.data(), INSERT_VALUES), "filled a matrix");
   }
 
   void LinearSystem::set_right_hand_side(const std::vector<double> &contributions)
@@ -90,55 +80,56 @@ namespace swimtwin
         values.push_back(contributions[i]);
       }
     VecZeroEntries(rhs_);
-    check(VecSetValues(rhs_, indices.size(), indices.data(), values.data(), ADD_VALUES), "filled a vector");
-    check(VecAssemblyBegin(rhs_), "filled a vector");
-    check(VecAssemblyEnd(rhs_), "filled a vector");
+    check_petsc(VecSetValues(rhs_, indices.size(), indices.data(), values.data(), ADD_VALUES), "filled a vector");
+    check_petsc(VecAssemblyBegin(rhs_), "filled a vector");
+    check_petsc(VecAssemblyEnd(rhs_), "filled a vector");
+  }
+
+  bool LinearSystem::factorize()
+  {
+    const ScopedCpuTime time(counts_.factorization_cpu_s);
+    ++counts_.n_factorizations;
+    check_petsc(KSPSetReusePreconditioner(ksp_, PETSC_FALSE), "set up a solver");
+    // Tell the preconditioner that the values changed, then factorise here so that its time is counted here.
+    check_petsc(KSPSetOperators(ksp_, matrix_, matrix_), "set up a solver");
+    check_petsc(KSPSetUp(ksp_), "factorised");
+    PC             pc;
+    PCFailedReason failure;
+    check_petsc(KSPGetPC(ksp_, &pc), "factorised");
+    check_petsc(PCGetFailedReason(pc, &failure), "factorised");
+    has_factors_         = failure == PC_NOERROR;
+    solves_with_factors_ = 0;
+    effort_with_factors_ = options_.factorization_effort;
+    if (!has_factors_)
+      check_petsc(KSPReset(ksp_), "dropped failed factors");
+    return has_factors_;
   }
 
   bool LinearSystem::solve_with(const bool keep_factors, const int max_iterations)
   {
-    if (!keep_factors)
-    {
-      const ScopedCpuTime time(counts_.factorization_cpu_s);
-      ++counts_.n_factorizations;
-      check(KSPSetReusePreconditioner(ksp_, PETSC_FALSE), "set up a solver");
-      // Tell the preconditioner that the values changed, then factorise here so that its time is counted here.
-      check(KSPSetOperators(ksp_, matrix_, matrix_), "set up a solver");
-      check(KSPSetUp(ksp_), "factorised");
-      PC             pc;
-      PCFailedReason failure;
-      check(KSPGetPC(ksp_, &pc), "factorised");
-      check(PCGetFailedReason(pc, &failure), "factorised");
-      has_factors_         = failure == PC_NOERROR;
-      solves_with_factors_ = 0;
-      effort_with_factors_ = options_.factorization_effort;
-      if (!has_factors_)
-      {
-        check(KSPReset(ksp_), "dropped failed factors");
-        return false;
-      }
-    }
+    if (!keep_factors && !factorize())
+      return false;
     const ScopedCpuTime time(counts_.solve_cpu_s);
-    check(KSPSetReusePreconditioner(ksp_, PETSC_TRUE), "set up a solver");
+    check_petsc(KSPSetReusePreconditioner(ksp_, PETSC_TRUE), "set up a solver");
     // Relative to the solution: its guess has that size. Without one the first residual has it; it also bounds from
     // below what a guess that is far too small would ask for.
     double guess_norm;
     VecNorm(solution_, NORM_2, &guess_norm);
     const bool has_guess = guess_norm > 0. && !options_.direct;
-    check(KSPSetTolerances(ksp_, (has_guess ? 1e-3 : 1.) * tolerance_, has_guess ? tolerance_ * guess_norm : 1e-300,
-                           1e10, max_iterations),
-          "set up a solver");
-    check(KSPSolve(ksp_, rhs_, solution_), "solved");
+    check_petsc(KSPSetTolerances(ksp_, (has_guess ? 1e-3 : 1.) * tolerance_,
+                                 has_guess ? tolerance_ * guess_norm : 1e-300, 1e10, max_iterations),
+                "set up a solver");
+    check_petsc(KSPSolve(ksp_, rhs_, solution_), "solved");
     PetscInt           iterations;
     KSPConvergedReason reason;
-    check(KSPGetIterationNumber(ksp_, &iterations), "solved");
-    check(KSPGetConvergedReason(ksp_, &reason), "solved");
+    check_petsc(KSPGetIterationNumber(ksp_, &iterations), "solved");
+    check_petsc(KSPGetConvergedReason(ksp_, &reason), "solved");
     counts_.n_iterations += iterations;
     note_effort(iterations);
     if (reason > 0 || keep_factors)
       return reason > 0;
     double residual, size;
-    check(KSPGetResidualNorm(ksp_, &residual), "solved");
+    check_petsc(KSPGetResidualNorm(ksp_, &residual), "solved");
     VecNorm(solution_, NORM_2, &size);
     return residual <= options_.tolerance * size;
   }
@@ -180,5 +171,43 @@ namespace swimtwin
       if (!std::isfinite(value))
         return false;
     return converged;
+  }
+
+  bool LinearSystem::solve_together(std::vector<std::vector<double>> &columns)
+  {
+    if (!factorize())
+      return false;
+    const ScopedCpuTime time(counts_.solve_cpu_s);
+    counts_.n_solves += columns.size();
+    const PetscInt n = columns.size(), n_local = last_row_ - first_row_;
+    Mat            B, X, factors;
+    PC             pc;
+    check_petsc(KSPGetPC(ksp_, &pc), "solved");
+    check_petsc(PCFactorGetMatrix(pc, &factors), "solved");
+    for (Mat *M : {&B, &X})
+      check_petsc(MatCreateDense(communicator_, n_local, PETSC_DECIDE, size_, n, nullptr, M),
+                  "made a block of vectors");
+    double *local;
+    check_petsc(MatDenseGetArrayWrite(B, &local), "filled a block of vectors");
+    for (PetscInt j = 0; j < n; ++j)
+      std::copy_n(columns[j].begin() + first_row_, n_local, local + j * n_local);
+    check_petsc(MatDenseRestoreArrayWrite(B, &local), "filled a block of vectors");
+    check_petsc(MatMatSolve(factors, B, X), "solved");
+
+    const double *solved;
+    check_petsc(MatDenseGetArrayRead(X, &solved), "solved");
+    bool finite = true;
+    for (PetscInt j = 0; j < n; ++j)
+    {
+      std::fill(columns[j].begin(), columns[j].end(), 0.);
+      std::copy_n(solved + j * n_local, n_local, columns[j].begin() + first_row_);
+      MPI_Allreduce(MPI_IN_PLACE, columns[j].data(), size_, MPI_DOUBLE, MPI_SUM, communicator_);
+      for (const double value : columns[j])
+        finite = finite && std::isfinite(value);
+    }
+    check_petsc(MatDenseRestoreArrayRead(X, &solved), "solved");
+    MatDestroy(&X);
+    MatDestroy(&B);
+    return finite;
   }
 } // namespace swimtwin

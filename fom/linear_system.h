@@ -52,6 +52,9 @@ namespace swimtwin
     /// Solve, starting from `solution` (full length on every rank), and replace it. False if neither old nor new
     /// factors gave the tolerance, or the result is not finite. Collective.
     bool solve(std::vector<double> &solution);
+    /// Solve for several right-hand sides (full length, the same on every rank) by one factorisation of the matrix as it
+    /// is, without iterations, and replace them by their solutions. Collective.
+    bool solve_together(std::vector<std::vector<double>> &columns);
 
     const LinearSolverCounts &counts() const { return counts_; }
     void                      set_counts(const LinearSolverCounts &counts) { counts_ = counts; }
@@ -61,6 +64,7 @@ namespace swimtwin
   private:
     void clear();
     void note_effort(int iterations);
+    bool factorize();
     bool solve_with(bool keep_factors, int max_iterations);
 
     MPI_Comm            communicator_;

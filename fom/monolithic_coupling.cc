@@ -77,9 +77,11 @@ namespace swimtwin
     rates.omega             = velocities.head_omega;
     next.pose.angle         = known.pose.angle + slope * rates.omega[0];
     rates.velocity          = next.pose.rotation() * (Rt * velocities.head_velocity);
-    next.pose.center        = known.pose.center + slope * rates.velocity;
     if (!swimmer_.has_tail())
+    {
+      next.pose.center = head_center(swimmer_, step, next, rates);
       return next;
+    }
 
     const auto &mesh = swimmer_.tail().mesh;
     next.shape.resize(mesh.n_nodes());
@@ -94,6 +96,7 @@ namespace swimtwin
     rates.shape_rate.resize(mesh.n_nodes());
     for (unsigned int a = 0; a < mesh.n_nodes(); ++a)
       rates.shape_rate[a] = (next.shape[a] - known.shape[a]) / slope;
+    next.pose.center = head_center(swimmer_, step, next, rates);
     return next;
   }
 

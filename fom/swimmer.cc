@@ -26,17 +26,23 @@ namespace swimtwin
           .5 * (surface_at_rest_[k].distance(surface_at_rest_[(k + 2) % surface_at_rest_.size()]) +
                 surface_at_rest_[k].distance(
                     surface_at_rest_[(k + surface_at_rest_.size() - 2) % surface_at_rest_.size()])));
-    if (!scene.tail)
-      return;
+    if (scene.tail)
+      make_tail(outline, communicator);
+    if (!scene.head.fixed)
+      weigh_surface();
+  }
 
-    tail_                    = std::make_unique<TailMesh<dim>>(make_tail_mesh(outline, scene.numerics, communicator));
+  template <int dim>
+  void Swimmer<dim>::make_tail(const SwimmerOutline &outline, const MPI_Comm communicator)
+  {
+    tail_                    = std::make_unique<TailMesh<dim>>(make_tail_mesh(outline, scene_.numerics, communicator));
     const unsigned int first = outline.upper_head.size() - 1;
     for (unsigned int i = 0; i < tail_->surface_nodes.size(); ++i)
       tail_node_of_surface_[first + i] = tail_->surface_nodes[i];
-    if (scene.numerics.tail_order == 1)
+    if (scene_.numerics.tail_order == 1)
       straighten_tail();
-    const LameConstants lame = lame_constants(scene.tail->young_modulus_Pa, scene.tail->poisson_ratio);
-    elasticity_              = std::make_unique<ElasticTail<dim>>(tail_->mesh, make_law<dim>(scene.tail->law, lame));
+    const LameConstants lame = lame_constants(scene_.tail->young_modulus_Pa, scene_.tail->poisson_ratio);
+    elasticity_              = std::make_unique<ElasticTail<dim>>(tail_->mesh, make_law<dim>(scene_.tail->law, lame));
     is_clamped_.assign(tail_->mesh.n_nodes(), 0);
     for (const auto node : tail_->clamped_nodes)
       is_clamped_[node] = 1;
@@ -52,6 +58,29 @@ namespace swimtwin
     for (unsigned int k = 0; k < surface_at_rest_.size(); ++k)
       if (tail_node_of_surface_[k] >= 0)
         surface_at_rest_[k] = mesh.nodes[tail_node_of_surface_[k]];
+  }
+
+  template <int dim>
+  void Swimmer<dim>::weigh_surface()
+  {
+    // Simpson's rule on every edge: its ends are the even nodes.
+    const unsigned int n      = n_surface_nodes();
+    double             length = 0.;
+    surface_weight_.assign(n, 0.);
+    for (unsigned int p = 0; p < n; p += 2)
+    {
+      const unsigned int q    = (p + 2) % n;
+      const double       edge = surface_at_rest_[p].distance(surface_at_rest_[q]);
+      surface_weight_[p] += edge / 6.;
+      surface_weight_[p + 1] += edge * 4. / 6.;
+      surface_weight_[q] += edge / 6.;
+      length += edge;
+    }
+    for (unsigned int k = 0; k < n; ++k)
+    {
+      surface_weight_[k] /= length;
+      arm_at_rest_ += surface_weight_[k] * surface_at_rest_[k];
+    }
   }
 
   template <int dim>
@@ -125,6 +154,22 @@ namespace swimtwin
       v.push_back(node < 0 ? Tensor<1, dim>() : rates.shape_rate[node]);
     }
     return 2. * area_form(x, v);
+  }
+
+  template <int dim>
+  Tensor<1, dim> Swimmer<dim>::arm_to_middle(const NodalField<dim> &shape) const
+  {
+    return arm_at_rest_ + rate_of_arm(shape);
+  }
+
+  template <int dim>
+  Tensor<1, dim> Swimmer<dim>::rate_of_arm(const NodalField<dim> &shape_rate) const
+  {
+    Tensor<1, dim> rate;
+    for (unsigned int k = 0; k < surface_weight_.size(); ++k)
+      if (tail_node_of_surface_[k] >= 0)
+        rate += surface_weight_[k] * shape_rate[tail_node_of_surface_[k]];
+    return rate;
   }
 
   template <int dim>

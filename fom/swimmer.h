@@ -75,13 +75,21 @@ namespace swimtwin
     dealii::Tensor<1, dim> force_on_head(double time_s) const;
     MagneticTorque         torque_on_head(double angle_rad, double time_s) const;
 
+    /// From the head's centre to the body's middle, the mean position of its surface (m, head frame): linear in the
+    /// shape. The middle is what time stepping advances (docs/equations.md, section 6); of a fixed head it is the
+    /// centre.
+    dealii::Tensor<1, dim> arm_to_middle(const NodalField<dim> &shape) const;
+    dealii::Tensor<1, dim> rate_of_arm(const NodalField<dim> &shape_rate) const; ///< m/s
+
     /// Angle (rad, from +x, not unwrapped) of the tail's axis at its tip.
     double tail_angle(const Configuration<dim> &configuration) const;
 
     const Scene &scene() const { return scene_; }
 
   private:
+    void                   make_tail(const SwimmerOutline &outline, MPI_Comm communicator);
     void                   straighten_tail();
+    void                   weigh_surface();
     dealii::Tensor<1, dim> effective_gravity(double body_density_kg_m3, double time_s) const;
 
     const Scene                      &scene_;
@@ -90,6 +98,8 @@ namespace swimtwin
     std::vector<dealii::Point<dim>>   surface_at_rest_;
     std::vector<int>                  tail_node_of_surface_;
     std::vector<double>               surface_mesh_size_;
+    std::vector<double>               surface_weight_; ///< share of the surface that is a node's
+    dealii::Tensor<1, dim>            arm_at_rest_;
     std::vector<char>                 is_clamped_;
     double                            body_length_;
   };

@@ -1,8 +1,10 @@
-// The exact St Venant-Kirchhoff energy of the modes, a quartic polynomial.
+// The exact St Venant-Kirchhoff energy of the modes, a quartic polynomial of their amplitudes.
 #pragma once
 
 #include <datasets/reduced_model.h>
-#include <rom/state_vectors.h>
+#include <rom/shape_amplitudes.h>
+
+#include <vector>
 
 namespace swimtwin
 {
@@ -10,20 +12,29 @@ namespace swimtwin
   class ElasticEnergy
   {
   public:
-    explicit ElasticEnergy(const ReducedElasticity &elasticity);
+    ElasticEnergy(const ReducedElasticity &elasticity, const ReducedTail &tail);
 
     double      value(const ShapeVector &q) const;
     ShapeVector gradient(const ShapeVector &q) const;
     ShapeMatrix hessian(const ShapeVector &q) const;
 
   private:
-    static constexpr int max_monomials = max_modes + max_modes * (max_modes + 1) / 2;
+    /// Strain monomials of one parity under the mirror: strains of different parity do no work on each other.
+    struct Block
+    {
+      std::vector<int> monomials;
+      Eigen::MatrixXd  gram; ///< twice that of the energy
+    };
+    static constexpr int max_monomials = max_amplitudes + max_amplitudes * (max_amplitudes + 1) / 2;
     using StrainVector                 = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, max_monomials, 1>;
 
-    static StrainVector monomials(const ShapeVector &q);
-    /// 2 G m(q): the energy's derivative by the monomials.
-    StrainVector stress(const ShapeVector &q) const;
+    static StrainVector monomials(const AmplitudeVector &p);
+    /// The energy's derivative by the monomials.
+    StrainVector stress(const StrainVector &monomials) const;
+    /// By the amplitudes, from that by the monomials.
+    static AmplitudeVector gradient(const AmplitudeVector &p, const StrainVector &stress);
 
-    Eigen::MatrixXd gram_;
+    ShapeAmplitudes    amplitudes_;
+    std::vector<Block> blocks_;
   };
 } // namespace swimtwin

@@ -1,4 +1,5 @@
 #include <rom/reconstruction.h>
+#include <rom/shape_amplitudes.h>
 
 #include <array>
 #include <cmath>
@@ -83,7 +84,7 @@ namespace swimtwin
 
   Eigen::VectorXd tail_displacement(const ReducedTail &tail, const ShapeVector &q)
   {
-    return tail.modes * q;
+    return tail.modes * ShapeAmplitudes(tail).value(q);
   }
 
   Eigen::MatrixXd tail_positions(const ReducedTail &tail, const SwimmerState &state)

@@ -30,19 +30,33 @@ namespace swimtwin
 
   ReducedSwimmer::ReducedSwimmer(const ReducedModel &model)
       : r_(checked(model).n_modes()), length_m_(largest_distance(model.tail.nodes_m)), tip_(model.tail),
-        energy_(model.elasticity), resistance_(model.resistance, model.tail.parity), magnet_(model.magnet),
-        area_(model.area)
+        amplitudes_(model.tail), energy_(model.elasticity, model.tail),
+        resistance_(model.resistance, model.tail.parity.head(r_)), magnet_(model.magnet), area_(model.area)
   {
   }
 
   double ReducedSwimmer::area_change(const ShapeVector &q) const
   {
-    return area_.linear_m.dot(q) + q.dot(area_.quadratic * q);
+    const AmplitudeVector p = amplitudes_.value(q);
+    return area_.linear_m.dot(p) + p.dot(area_.quadratic * p);
   }
 
   ShapeVector ReducedSwimmer::area_gradient(const ShapeVector &q) const
   {
-    return area_.linear_m + 2. * area_.quadratic * q;
+    return amplitudes_.slopes(q).transpose() * area_gradient_by_amplitudes(q);
+  }
+
+  AmplitudeVector ReducedSwimmer::area_gradient_by_amplitudes(const ShapeVector &q) const
+  {
+    return area_.linear_m + 2. * area_.quadratic * amplitudes_.value(q);
+  }
+
+  ShapeMatrix ReducedSwimmer::area_hessian(const ShapeVector &q) const
+  {
+    const AmplitudeMatrix J = amplitudes_.slopes(q);
+    ShapeMatrix           H = amplitudes_.curvature(area_gradient_by_amplitudes(q));
+    H += 2. * J.transpose() * area_.quadratic * J;
+    return H;
   }
 
   VelocityVector ReducedSwimmer::area_direction(const ShapeVector &q) const
@@ -55,7 +69,17 @@ namespace swimtwin
   Eigen::Vector2d ReducedSwimmer::moment(const ShapeVector &q, const SwimmerParameters &parameters) const
   {
     return parameters.magnetization_A_m * magnet_.head_area_m2 * Eigen::Vector2d::UnitX() +
-           parameters.tail_magnetization_A_m * (magnet_.tail_area_m2 + magnet_.tail_area_of_mode_m * q);
+           parameters.tail_magnetization_A_m * tail_area(q);
+  }
+
+  Eigen::Vector2d ReducedSwimmer::tail_area(const ShapeVector &q) const
+  {
+    return magnet_.tail_area_m2 + magnet_.tail_area_of_mode_m * amplitudes_.value(q);
+  }
+
+  Eigen::Matrix2Xd ReducedSwimmer::tail_area_slopes(const ShapeVector &q) const
+  {
+    return magnet_.tail_area_of_mode_m * amplitudes_.slopes(q);
   }
 
   SwimmerMotion ReducedSwimmer::make_motion() const
@@ -67,12 +91,14 @@ namespace swimtwin
     return motion;
   }
 
-  VelocityVector ReducedSwimmer::magnetic_force(const Eigen::Vector2d &moment, const Eigen::Vector2d &head_field,
-                                                const double tail_magnetization) const
+  VelocityVector ReducedSwimmer::magnetic_force(const ShapeVector &q, const Eigen::Vector2d &moment,
+                                                const Eigen::Vector2d &head_field,
+                                                const double           tail_magnetization) const
   {
     VelocityVector f = VelocityVector::Zero(n_states());
     f[2]             = cross(moment, head_field);
-    f.tail(r_)       = tail_magnetization * (magnet_.tail_area_of_mode_m.transpose() * head_field);
+    if (tail_magnetization != 0.)
+      f.tail(r_) = tail_magnetization * (tail_area_slopes(q).transpose() * head_field);
     return f;
   }
 
@@ -81,7 +107,7 @@ namespace swimtwin
   {
     const ShapeVector q = state.tail(r_);
     VelocityVector    f =
-        magnetic_force(moment(q, parameters), in_head_frame(state[2], field_T), parameters.tail_magnetization_A_m);
+        magnetic_force(q, moment(q, parameters), in_head_frame(state[2], field_T), parameters.tail_magnetization_A_m);
     f.tail(r_) -= parameters.young_modulus_Pa * energy_.gradient(q);
     return f;
   }
@@ -129,7 +155,7 @@ namespace swimtwin
     set_rate(state, field_T, parameters, motion);
     const ShapeVector    q = state.tail(r_);
     const VelocityVector f =
-        magnetic_force(moment(q, parameters), in_head_frame(state[2], field_T), parameters.tail_magnetization_A_m);
+        magnetic_force(q, moment(q, parameters), in_head_frame(state[2], field_T), parameters.tail_magnetization_A_m);
     const VelocityVector pulled =
         motion.resistance.factor.transpose() * (resistance_.factor_at_rest().transpose() * motion.velocity);
     motion.magnetic_power_W_m = f.dot(motion.velocity);

@@ -72,10 +72,15 @@ namespace swimtwin
 
   private:
     /// Generalised magnetic force (0, 0, torque, forces on the modes) of a field in the head's frame.
-    VelocityVector magnetic_force(const Eigen::Vector2d &moment, const Eigen::Vector2d &head_field,
-                                  double tail_magnetization) const;
-    VelocityVector force(const SwimmerState &state, const Eigen::Vector2d &field_T,
-                         const SwimmerParameters &parameters) const;
+    VelocityVector magnetic_force(const ShapeVector &q, const Eigen::Vector2d &moment,
+                                  const Eigen::Vector2d &head_field, double tail_magnetization) const;
+    /// Integral of the tail's deformation gradient along its axis (m^2), and its derivative by q.
+    Eigen::Vector2d  tail_area(const ShapeVector &q) const;
+    Eigen::Matrix2Xd tail_area_slopes(const ShapeVector &q) const;
+    AmplitudeVector  area_gradient_by_amplitudes(const ShapeVector &q) const;
+    ShapeMatrix      area_hessian(const ShapeVector &q) const;
+    VelocityVector   force(const SwimmerState &state, const Eigen::Vector2d &field_T,
+                           const SwimmerParameters &parameters) const;
     /// (0, 0, 0, area gradient).
     VelocityVector area_direction(const ShapeVector &q) const;
     /// Columns of forces become columns of velocities at unit viscosity, free of the area's constraint.
@@ -90,6 +95,7 @@ namespace swimtwin
     int                 r_        = 0;
     double              length_m_ = 0.;
     TailTip             tip_;
+    ShapeAmplitudes     amplitudes_;
     ElasticEnergy       energy_;
     ResistanceSurrogate resistance_;
     ReducedMagnet       magnet_;

@@ -43,17 +43,22 @@ namespace swimtwin
     const Eigen::Vector2d m = moment(q, parameters), b = in_head_frame(state[2], field_T);
     const double          M_tail = parameters.tail_magnetization_A_m;
     columns.setZero();
-    columns.col(0) = magnetic_force(m, turned_back(b), M_tail);
-    for (int l = 0; l < r_; ++l)
-      columns(2, 1 + l) = M_tail * cross(magnet_.tail_area_of_mode_m.col(l), b);
+    columns.col(0)              = magnetic_force(q, m, turned_back(b), M_tail);
     columns.block(3, 1, r_, r_) = -parameters.young_modulus_Pa * energy_.hessian(q);
+    if (M_tail != 0.)
+    {
+      const Eigen::Matrix2Xd slopes = tail_area_slopes(q);
+      for (int l = 0; l < r_; ++l)
+        columns(2, 1 + l) = M_tail * cross(slopes.col(l), b);
+      columns.block(3, 1, r_, r_) += M_tail * amplitudes_.curvature(magnet_.tail_area_of_mode_m.transpose() * b);
+    }
 
     auto further                           = columns.rightCols<n_force_columns>();
     further.col(by_young_modulus).tail(r_) = -energy_.gradient(q);
     further(2, by_magnetization)           = magnet_.head_area_m2 * b.y();
-    further.col(by_tail_magnetization) = magnetic_force(magnet_.tail_area_m2 + magnet_.tail_area_of_mode_m * q, b, 1.);
-    further.col(by_field_x)            = magnetic_force(m, in_head_frame(state[2], Eigen::Vector2d::UnitX()), M_tail);
-    further.col(by_field_y)            = magnetic_force(m, in_head_frame(state[2], Eigen::Vector2d::UnitY()), M_tail);
+    further.col(by_tail_magnetization)     = magnetic_force(q, tail_area(q), b, 1.);
+    further.col(by_field_x) = magnetic_force(q, m, in_head_frame(state[2], Eigen::Vector2d::UnitX()), M_tail);
+    further.col(by_field_y) = magnetic_force(q, m, in_head_frame(state[2], Eigen::Vector2d::UnitY()), M_tail);
   }
 
   /// - viscosity dR xi for the angle and the shape.
@@ -87,7 +92,7 @@ namespace swimtwin
     VelocityVector       by_pressure = phi;
     solve(motion.resistance, by_pressure);
     Eigen::RowVectorXd flux = phi.transpose() * columns;
-    flux.segment(1, r_) += 2. * motion.velocity.tail(r_).transpose() * area_.quadratic;
+    flux.segment(1, r_) += motion.velocity.tail(r_).transpose() * area_hessian(state.tail(r_));
     columns.noalias() -= by_pressure * (flux / phi.dot(by_pressure));
   }
 
@@ -104,7 +109,7 @@ namespace swimtwin
     set_force_derivatives(state, field_T, parameters, columns);
     add_resistance_derivatives(motion, viscosity, columns);
     if (area_.is_kept)
-      columns.block(3, 1, r_, r_) -= 2. * pressure * area_.quadratic;
+      columns.block(3, 1, r_, r_) -= pressure * area_hessian(state.tail(r_));
     columns /= viscosity;
     solve(motion.resistance, columns);
     if (area_.is_kept)

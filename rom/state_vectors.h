@@ -14,6 +14,12 @@ namespace swimtwin
   using VelocityMatrix =
       Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, max_velocities, max_velocities>;
 
+  /// Amplitudes of the modes: the coordinates', then the followers'.
+  constexpr int max_amplitudes = 32;
+  using AmplitudeVector        = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, max_amplitudes, 1>;
+  using AmplitudeMatrix        = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, max_amplitudes,
+                                        max_modes>; ///< (r + s) x r
+
   /// (x, y, theta, q_1 .. q_r): head's centre (m), head's angle (rad), shape (m). As long as the velocities.
   using SwimmerState = VelocityVector;
 } // namespace swimtwin

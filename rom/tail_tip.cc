@@ -20,7 +20,7 @@ namespace swimtwin
     }
   } // namespace
 
-  TailTip::TailTip(const ReducedTail &tail)
+  TailTip::TailTip(const ReducedTail &tail) : amplitudes_(tail)
   {
     const std::array<int, 3> nodes = {start_of_last_edge(tail), tail.before_tip_node, tail.tip_node};
     for (std::size_t i = 0; i < nodes.size(); ++i)
@@ -29,13 +29,14 @@ namespace swimtwin
 
   Eigen::Vector2d TailTip::position_m(const ShapeVector &q) const
   {
-    return last_edge_[2].position(q);
+    return last_edge_[2].position(amplitudes_.value(q));
   }
 
   double TailTip::angle_rad(const ShapeVector &q) const
   {
+    const AmplitudeVector p = amplitudes_.value(q);
     const Eigen::Vector2d tangent =
-        3. * last_edge_[2].position(q) - 4. * last_edge_[1].position(q) + last_edge_[0].position(q);
+        3. * last_edge_[2].position(p) - 4. * last_edge_[1].position(p) + last_edge_[0].position(p);
     return std::atan2(tangent.y(), tangent.x());
   }
 } // namespace swimtwin

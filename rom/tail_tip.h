@@ -2,7 +2,7 @@
 #pragma once
 
 #include <datasets/reduced_model.h>
-#include <rom/state_vectors.h>
+#include <rom/shape_amplitudes.h>
 
 #include <array>
 
@@ -23,9 +23,10 @@ namespace swimtwin
     {
       Eigen::Vector2d  place_m;
       Eigen::Matrix2Xd modes;
-      Eigen::Vector2d  position(const ShapeVector &q) const { return place_m + modes * q; }
+      Eigen::Vector2d  position(const AmplitudeVector &p) const { return place_m + modes * p; }
     };
 
+    ShapeAmplitudes     amplitudes_;
     std::array<Node, 3> last_edge_; ///< its other end, its middle, the tip
   };
 } // namespace swimtwin

@@ -224,4 +224,38 @@ namespace swimtwin
     const double exact = 0.5e-3 * 1.5e-3 + 7.4e-3 * (1.5e-3 + 0.2e-3) / 2. + std::numbers::pi * 0.1e-3 * 0.1e-3 / 2.;
     EXPECT_NEAR(swimmer.area(swimmer.configuration_at_rest()), exact, 1e-5 * exact);
   }
+
+  // Both are sums over the same nodes: round-off of millimetres.
+  TEST_F(SwimmerTest, ArmToTheMiddleEndsInTheMeanOfTheSurface)
+  {
+    const auto   c       = configuration(0.3);
+    const auto   surface = swimmer.surface(c), at_rest = swimmer.surface(swimmer.configuration_at_rest());
+    Tensor<1, 2> mean;
+    double       total = 0.;
+    for (unsigned int p = 0; p < surface.size(); p += 2)
+    {
+      const unsigned int q    = (p + 2) % surface.size();
+      const double       edge = at_rest[p].distance(at_rest[q]);
+      mean += edge / 6. * (Tensor<1, 2>(surface[p]) + 4. * Tensor<1, 2>(surface[p + 1]) + Tensor<1, 2>(surface[q]));
+      total += edge;
+    }
+    EXPECT_LE((c.pose.to_laboratory(swimmer.arm_to_middle(c.shape)) - Point<2>(mean / total)).norm(), 1e-12 * length);
+    EXPECT_NEAR(swimmer.arm_to_middle(swimmer.configuration_at_rest().shape)[1], 0., 1e-12 * length);
+  }
+
+  // A central difference is exact for a motion quadratic in time.
+  TEST_F(SwimmerTest, RateOfTheArmIsItsDerivative)
+  {
+    constexpr double t = 0.3, h = 1e-2;
+    const auto       difference =
+        swimmer.arm_to_middle(configuration(t + h).shape) - swimmer.arm_to_middle(configuration(t - h).shape);
+    EXPECT_LE((swimmer.rate_of_arm(rates(t).shape_rate) - difference / (2. * h)).norm(), 1e-12 * length / h);
+  }
+
+  TEST_F(SwimmerTest, MiddleOfAFixedHeadIsItsCentre)
+  {
+    const Scene      fixed_scene = shipped_scene("reference-2d-casefile", {coarse[0], coarse[1], "head.motion=fixed"});
+    const Swimmer<2> fixed(fixed_scene, MPI_COMM_WORLD);
+    EXPECT_EQ(fixed.arm_to_middle(configuration(0.3).shape).norm(), 0.);
+  }
 } // namespace swimtwin

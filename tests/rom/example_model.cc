@@ -52,14 +52,16 @@ namespace swimtwin
                         : Eigen::Vector2d(-y / length_m * power * std::pow(s, power - 1.), std::pow(s, power));
     }
 
-    void make_modes(ReducedTail &tail, const int r)
+    void make_modes(ReducedTail &tail, const int r, const int n_followers)
     {
       const Eigen::Index n = tail.nodes_m.rows();
-      tail.parity          = Eigen::VectorXi::Constant(r, -1);
+      const int          R = r + n_followers;
+      tail.parity          = Eigen::VectorXi::Constant(R, -1);
       if (r > 2)
         tail.parity[2] = 1;
-      tail.modes.resize(2 * n, r);
-      for (int k = 0; k < r; ++k)
+      tail.parity.tail(n_followers).setConstant(1);
+      tail.modes.resize(2 * n, R);
+      for (int k = 0; k < R; ++k)
       {
         for (Eigen::Index i = 0; i < n; ++i)
           tail.modes.col(k).segment<2>(2 * i) =
@@ -70,6 +72,17 @@ namespace swimtwin
               tail.modes.col(k) -= tail.modes.col(l) * (tail.modes.col(l).dot(tail.modes.col(k)) / n);
         tail.modes.col(k) *= std::sqrt(static_cast<double>(n)) / tail.modes.col(k).norm();
       }
+    }
+
+    /// Shortening by a few percent where the tail bends by its scale.
+    void make_followers(ReducedTail &tail, const int r, const int n_followers, RandomNumbers &random)
+    {
+      tail.followers = Eigen::MatrixXd::Zero(n_followers, r * (r + 1) / 2);
+      for (int k = 0; k < n_followers; ++k)
+        for (int i = 0, product = 0; i < r; ++i)
+          for (int j = 0; j <= i; ++j, ++product)
+            if (tail.parity[i] == tail.parity[j])
+              tail.followers(k, product) = 5. * random();
     }
 
     /// Symmetric and positive definite; entries between indices of different parity vanish.
@@ -107,17 +120,18 @@ namespace swimtwin
     /// Local drag on the nodes, twice as large across as along.
     Eigen::MatrixXd resistance_at_rest(const ReducedTail &tail)
     {
-      const Eigen::Index n = tail.nodes_m.rows(), r = tail.modes.cols();
+      const Eigen::Index n = tail.nodes_m.rows(), r = tail.n_coordinates();
       Eigen::MatrixXd    R = Eigen::MatrixXd::Zero(r + 3, r + 3);
       R.diagonal().head<3>() << 3., 6., 2e-6; // the head
       for (Eigen::Index i = 0; i < n; ++i)
       {
         Eigen::MatrixXd P(2, r + 3);
-        P << 1., 0., -tail.nodes_m(i, 1), tail.modes.row(2 * i), 0., 1., tail.nodes_m(i, 0), tail.modes.row(2 * i + 1);
+        P << 1., 0., -tail.nodes_m(i, 1), tail.modes.row(2 * i).head(r), 0., 1., tail.nodes_m(i, 0),
+            tail.modes.row(2 * i + 1).head(r);
         R += P.transpose() * Eigen::Vector2d(8., 16.).asDiagonal() * P / static_cast<double>(n);
       }
       Eigen::VectorXi parity(r + 3);
-      parity << 1, -1, -1, tail.parity;
+      parity << 1, -1, -1, tail.parity.head(r);
       for (Eigen::Index i = 0; i < r + 3; ++i)
         for (Eigen::Index j = 0; j < r + 3; ++j)
           if (parity[i] != parity[j])
@@ -153,7 +167,7 @@ namespace swimtwin
 
     ReducedResistance make_resistance(const ReducedTail &tail, const bool depends_on_angle, RandomNumbers &random)
     {
-      const int         r = static_cast<int>(tail.parity.size()), n = r + 3;
+      const int         r = tail.n_coordinates(), n = r + 3;
       ReducedResistance resistance;
       resistance.factor_at_rest     = resistance_at_rest(tail).llt().matrixL();
       resistance.coordinate_scale_m = Eigen::VectorXd::Constant(r, 1.5e-3);
@@ -162,8 +176,8 @@ namespace swimtwin
       resistance.exponents          = cubic_exponents(r + (depends_on_angle ? 1 : 0));
       Eigen::VectorXi coordinate_parity(resistance.exponents.cols()), velocity_parity(n);
       coordinate_parity.setConstant(-1);
-      coordinate_parity.head(r) = tail.parity;
-      velocity_parity << 1, -1, -1, tail.parity;
+      coordinate_parity.head(r) = tail.parity.head(r);
+      velocity_parity << 1, -1, -1, tail.parity.head(r);
       resistance.coefficients = Eigen::MatrixXd::Zero(resistance.exponents.rows(), n * (n + 1) / 2);
       for (Eigen::Index f = 0; f < resistance.exponents.rows(); ++f)
         for (int i = 0; i < n; ++i)
@@ -218,12 +232,13 @@ namespace swimtwin
     RandomNumbers random(7);
     ReducedModel  model;
     make_mesh(model.tail);
-    make_modes(model.tail, options.n_modes);
+    make_modes(model.tail, options.n_modes, options.n_followers);
+    make_followers(model.tail, options.n_modes, options.n_followers, random);
     model.elasticity                 = make_elasticity(model.tail.parity, random);
     model.magnet.head_area_m2        = 0.75e-6;
     model.magnet.tail_area_m2        = options.magnetic_tail ? Eigen::Vector2d(4.5e-6, 0.) : Eigen::Vector2d::Zero();
-    model.magnet.tail_area_of_mode_m = Eigen::MatrixXd::Zero(2, options.n_modes);
-    for (int k = 0; k < options.n_modes && options.magnetic_tail; ++k)
+    model.magnet.tail_area_of_mode_m = Eigen::MatrixXd::Zero(2, model.tail.n_amplitudes());
+    for (int k = 0; k < model.tail.n_amplitudes() && options.magnetic_tail; ++k)
       model.magnet.tail_area_of_mode_m(model.tail.parity[k] > 0 ? 0 : 1, k) = 1e-3 * random();
     model.area       = make_area(model.tail.parity, options.keeps_area, random);
     model.resistance = make_resistance(model.tail, options.depends_on_angle, random);

@@ -11,6 +11,7 @@ namespace swimtwin
   struct ExampleOptions
   {
     int  n_modes          = 4;
+    int  n_followers      = 0;
     bool depends_on_angle = true;
     bool keeps_area       = false;
     bool magnetic_tail    = true;

@@ -140,7 +140,7 @@ namespace swimtwin
   TEST_P(Swimmers, MirroredSwimmersMoveMirrored)
   {
     Eigen::VectorXd mirror(swimmer.n_states());
-    mirror << 1., -1., -1., model.tail.parity.cast<double>();
+    mirror << 1., -1., -1., model.tail.parity.head(model.n_modes()).cast<double>();
     const SwimmerState   state = draw();
     const VelocityVector there = rate(mirror.cwiseProduct(state), -field_T.cwiseProduct(Eigen::Vector2d(-1., 1.)));
     EXPECT_LE((there - mirror.cwiseProduct(rate(state))).norm(), 1e-13 * there.norm());
@@ -183,6 +183,8 @@ namespace swimtwin
   INSTANTIATE_TEST_SUITE_P(Models, Swimmers,
                            ::testing::Values(Case{"open", {.depends_on_angle = false}}, Case{"box", {}},
                                              Case{"closed", {.keeps_area = true}}, Case{"three_modes", {.n_modes = 3}},
-                                             Case{"one_mode", {.n_modes = 1, .magnetic_tail = false}}),
+                                             Case{"one_mode", {.n_modes = 1, .magnetic_tail = false}},
+                                             Case{"followers", {.n_followers = 2}},
+                                             Case{"closed_with_followers", {.n_followers = 2, .keeps_area = true}}),
                            [](const auto &instance) { return instance.param.name; });
 } // namespace swimtwin

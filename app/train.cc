@@ -1,0 +1,190 @@
+// Verb train: a reduced swimmer from a scene.
+#include <app/model_card.h>
+#include <app/progress_bar.h>
+#include <app/ranks.h>
+#include <app/value_list.h>
+#include <app/verb.h>
+
+#include <datasets/dimensionless_groups.h>
+#include <datasets/error.h>
+#include <datasets/output_folder.h>
+#include <rom/training/training.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <memory>
+
+namespace swimtwin
+{
+  namespace
+  {
+    constexpr double largest_unsteady_group = 2.;
+
+    struct TrainCommand
+    {
+      CommonOptions            common;
+      TrainingOptions          training;
+      std::string              frequency, young_modulus, viscosity, magnetization, bx, by; ///< ranges as typed
+      std::string              basis = "pod";
+      std::vector<std::string> snapshots;
+      bool                     resume = false, allow_inertia = false;
+    };
+
+    /// "4e4:3e5" or one value.
+    Interval parse_interval(const std::string &option, const std::string &text, const ValueRule rule)
+    {
+      const bool is_range = std::count(text.begin(), text.end(), ':') == 1;
+      const auto values   = parse_values(option, is_range ? text + ":2" : text, rule);
+      return {*std::min_element(values.begin(), values.end()), *std::max_element(values.begin(), values.end())};
+    }
+
+    TrainedRange range_of(const TrainCommand &command, const Scene &scene)
+    {
+      TrainedRange range = default_range(scene);
+      const auto   set   = [](const char *option, const std::string &text, const ValueRule rule, Interval &interval) {
+        if (!text.empty())
+          interval = parse_interval(option, text, rule);
+      };
+      set("--young-modulus", command.young_modulus, ValueRule::positive, range.young_modulus_Pa);
+      set("--viscosity", command.viscosity, ValueRule::positive, range.viscosity_Pa_s);
+      set("--magnetization", command.magnetization, ValueRule::finite, range.magnetization_A_m);
+      set("--frequency", command.frequency, ValueRule::positive, range.frequency_Hz);
+      set("--bx", command.bx, ValueRule::finite, range.bx_T);
+      set("--by", command.by, ValueRule::finite, range.by_T);
+      return range;
+    }
+
+    void require_small_inertia(const TrainCommand &command, const Scene &scene, const TrainedRange &range)
+    {
+      const double group = unsteady_group(scene, range.frequency_Hz.high, range.viscosity_Pa_s.low);
+      if (group > largest_unsteady_group && !command.allow_inertia)
+        throw InputError(
+            fmt::format("the unsteady group 2 pi rho f L^2 / mu is {:.3g} at {:.4g} Hz and {:.4g} Pa s: the "
+                        "reduced swimmer neglects inertia and is not right above {:g}; lower --frequency, "
+                        "raise --viscosity, or train it all the same with --allow-inertia",
+                        group, range.frequency_Hz.high, range.viscosity_Pa_s.low, largest_unsteady_group));
+    }
+
+    /// False if there is nothing left to do. Called on rank 0 before others touch the folder.
+    bool prepare_folder(const TrainCommand &command)
+    {
+      const auto &folder   = command.common.output;
+      const bool  complete = std::filesystem::exists(folder / "model.h5");
+      const bool  started  = std::filesystem::exists(folder / "runs") || std::filesystem::exists(folder / "samples.h5");
+      if (command.resume)
+      {
+        prepare_output_folder(folder, {}, true);
+        return !complete;
+      }
+      if (started && !complete && !command.common.force)
+        throw InputError(
+            fmt::format("{} holds a training that was interrupted: go on with --resume, or start afresh with "
+                        "--force",
+                        folder.string()));
+      prepare_output_folder(folder, training_results(), command.common.force);
+      for (const auto &name : training_results())
+        std::filesystem::remove_all(folder / name);
+      return true;
+    }
+
+    /// One line per stage on the terminal.
+    class StageBar
+    {
+    public:
+      explicit StageBar(const bool quiet) : quiet_(quiet) {}
+
+      void show(const std::string &stage, const int done, const int total)
+      {
+        if (stage != stage_)
+        {
+          bar_.reset();
+          if (!quiet_)
+            fmt::print("{}\n", stage);
+          std::fflush(stdout);
+          stage_ = stage;
+          first_ = done;
+          start_ = std::chrono::steady_clock::now();
+          bar_   = std::make_unique<ProgressBar>(quiet_);
+        }
+        const double elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+        bar_->show(done, total, done - first_, elapsed_s);
+      }
+
+    private:
+      bool                                  quiet_;
+      std::string                           stage_;
+      int                                   first_ = 0;
+      std::chrono::steady_clock::time_point start_;
+      std::unique_ptr<ProgressBar>          bar_;
+    };
+
+    void train_and_report(TrainCommand &command)
+    {
+      const Scene scene = load_scene(command.common);
+      auto       &own   = command.training;
+      own.range         = range_of(command, scene);
+      own.basis         = command.basis == "elastic" ? BasisChoice::elastic : BasisChoice::pod;
+      own.folder        = command.common.output;
+      own.command_line  = command.common.command_line;
+      own.snapshots     = {command.snapshots.begin(), command.snapshots.end()};
+      require_small_inertia(command, scene, own.range);
+      bool go_on = true;
+      if (is_speaker())
+        go_on = prepare_folder(command);
+      MPI_Bcast(&go_on, sizeof go_on, MPI_BYTE, 0, MPI_COMM_WORLD);
+      const bool quiet = command.common.quiet || !is_speaker();
+      if (!go_on)
+      {
+        if (!quiet)
+          fmt::print("{} is complete: nothing to resume\n", own.folder.string());
+        return;
+      }
+      StageBar bar(quiet);
+      own.on_progress = [&](const std::string &stage, const int done, const int total) {
+        bar.show(stage, done, total);
+      };
+      const ReducedModel model = train(scene, own, MPI_COMM_WORLD);
+      if (is_speaker())
+        write_text_atomically(own.folder / "model-card.txt", model_card(model));
+      if (!quiet)
+        fmt::print("{}  results in {}\n", model_card(model), own.folder.string());
+    }
+  } // namespace
+
+  Work add_train(CLI::App &tool, const std::string &command_line)
+  {
+    auto  own  = std::make_shared<TrainCommand>();
+    auto *verb = tool.add_subcommand("train", "Train a reduced swimmer on full-order runs of a scene");
+    verb->add_option("scene", own->common.scene, "Scene file, or name of a shipped scene")->required();
+    add_common_options(*verb, own->common, OutputFolder::required);
+    verb->add_option("--young-modulus", own->young_modulus, "Range low:high in Pa (half to four times the scene's)");
+    verb->add_option("--frequency", own->frequency, "Range low:high in Hz (an eighth to four times the scene's)");
+    verb->add_option("--magnetization", own->magnetization, "Range low:high in A/m (half to twice the scene's)");
+    verb->add_option("--viscosity", own->viscosity, "Range low:high in Pa s (the scene's)");
+    verb->add_option("--bx", own->bx, "Range low:high in T (the scene's)");
+    verb->add_option("--by", own->by, "Range low:high in T (the scene's)");
+    verb->add_option("--modes", own->training.n_coordinates, "Bending modes, the model's coordinates")
+        ->check(CLI::Range(1, 10))
+        ->capture_default_str();
+    verb->add_option("--followers", own->training.n_followers, "Modes that follow them: shortening by bending")
+        ->check(CLI::Range(1, 12))
+        ->capture_default_str();
+    verb->add_option("--samples", own->training.n_samples, "Shapes at which the resistance is computed")
+        ->check(CLI::Range(60, 100000))
+        ->capture_default_str();
+    verb->add_option("--held-out", own->training.n_held_out, "Full-order runs kept for comparison")
+        ->check(CLI::Range(0, 1000))
+        ->capture_default_str();
+    verb->add_option("--basis", own->basis, "pod: modes of the runs; elastic: of the tail alone, without data")
+        ->check(CLI::IsMember({"pod", "elastic"}))
+        ->capture_default_str();
+    verb->add_option("--snapshots", own->snapshots, "More snapshots.h5 files of the same swimmer");
+    verb->add_flag("--allow-inertia", own->allow_inertia, "Train although inertia is not small");
+    verb->add_flag("--resume", own->resume, "Go on with an interrupted training");
+    own->common.command_line = command_line;
+    return [own] { train_and_report(*own); };
+  }
+} // namespace swimtwin

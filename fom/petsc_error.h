@@ -1,0 +1,19 @@
+// Return codes of PETSc and SLEPc as exceptions of ours.
+#pragma once
+
+#include <datasets/error.h>
+
+#include <petscsys.h>
+
+#include <string>
+
+namespace swimtwin
+{
+  /// `what` completes the sentence "the linear algebra failed while it ...". Throws ComputationError.
+  inline void check_petsc(const PetscErrorCode code, const char *what)
+  {
+    if (code != 0)
+      throw ComputationError(std::string("the linear algebra failed while it ") + what + " (PETSc error " +
+                             std::to_string(code) + "): most likely memory is short; use a coarser mesh");
+  }
+} // namespace swimtwin

@@ -1,0 +1,73 @@
+#include <rom/training/held_out_runs.h>
+
+#include <datasets/run_summary_json.h>
+#include <rom/sweep.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace swimtwin
+{
+  namespace
+  {
+    constexpr int n_periods = 3;
+
+    /// Displacement of the last period of each member's run.
+    std::vector<double> full_order_displacements(const Scene &scene, const std::vector<RunParameters> &members,
+                                                 TrainingRunOptions options, const int steps_per_period,
+                                                 const MPI_Comm communicator)
+    {
+      options.folder /= fmt::format("{}-steps", steps_per_period);
+      options.overrides = {fmt::format("time.periods={}", n_periods),
+                           fmt::format("time.steps_per_period={}", steps_per_period), "output.snapshots_per_period=1",
+                           "output.fields_per_period=0"};
+      std::vector<double> displacements;
+      for (const auto &folder : run_full_order(scene, members, options, communicator))
+        displacements.push_back(read_run_summary_json(folder / "summary.json").summary.net_displacement_m);
+      return displacements;
+    }
+
+    SweepResult predict(const ReducedModel &model, const Scene &scene, const RunParameters &p)
+    {
+      SweepOptions options;
+      options.base.parameters = swimmer_parameters(scene);
+      options.base.drive      = {std::make_shared<SinusoidalField>(), Eigen::Vector2d(p.bx_T, p.by_T), p.frequency_Hz};
+      options.base.initial_state    = SwimmerState::Zero(model.n_modes() + 3);
+      options.base.initial_state[2] = scene.head.angle_rad;
+      options.heading_rad           = scene.head.angle_rad;
+      options.n_periods             = n_periods;
+      options.periodic              = false;
+      options.n_threads             = 1;
+      return sweep(model,
+                   {{p.young_modulus_Pa},
+                    {p.viscosity_Pa_s},
+                    {p.magnetization_A_m},
+                    {p.bx_T},
+                    {p.by_T},
+                    {p.frequency_Hz}},
+                   options)
+          .front();
+    }
+  } // namespace
+
+  std::vector<HeldOutRun> compare_with_full_order(const ReducedModel &model, const Scene &scene,
+                                                  const std::vector<RunParameters> &members,
+                                                  const TrainingRunOptions &options, const MPI_Comm communicator)
+  {
+    const int               steps = std::max(100, scene.time.steps_per_period);
+    const auto              fine  = full_order_displacements(scene, members, options, steps, communicator);
+    const auto              half  = full_order_displacements(scene, members, options, steps / 2, communicator);
+    std::vector<HeldOutRun> runs;
+    for (std::size_t k = 0; k < members.size(); ++k)
+    {
+      const auto       &p         = members[k];
+      const SweepResult predicted = predict(model, scene, p);
+      runs.push_back({p.young_modulus_Pa, p.viscosity_Pa_s, p.magnetization_A_m, p.frequency_Hz, p.bx_T, p.by_T,
+                      fine[k],
+                      std::abs(fine[k] - half[k]) / 3., // second order in the step
+                      predicted.displacement_m, predicted.error_indicator_m});
+    }
+    return runs;
+  }
+} // namespace swimtwin

@@ -1,0 +1,13 @@
+// How well the reduced model predicts runs of the full-order model that it was not trained on.
+#pragma once
+
+#include <rom/training/training_runs.h>
+
+namespace swimtwin
+{
+  /// Full-order runs of the third period at the scene's resolution and at half as many steps, whose difference tells
+  /// their error, against the model's answers. Runs that are there already are not made again. Collective.
+  std::vector<HeldOutRun> compare_with_full_order(const ReducedModel &model, const Scene &scene,
+                                                  const std::vector<RunParameters> &members,
+                                                  const TrainingRunOptions &options, MPI_Comm communicator);
+} // namespace swimtwin

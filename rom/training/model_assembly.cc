@@ -1,0 +1,54 @@
+#include <rom/training/model_assembly.h>
+
+#include <rom/training/strain_grams.h>
+
+namespace swimtwin
+{
+  namespace
+  {
+    ReducedTail assemble_tail(const Swimmer<2> &swimmer, const SnapshotSet &set, const TailBasis &basis)
+    {
+      ReducedTail tail;
+      tail.nodes_m = set.tail_nodes_m;
+      tail.cells   = set.tail_cells;
+      tail.modes.resize(basis.coordinates.rows(), basis.n_coordinates() + basis.n_followers());
+      tail.modes << basis.coordinates, basis.followers;
+      tail.followers = basis.quadratic;
+      tail.parity.resize(tail.modes.cols());
+      tail.parity << Eigen::VectorXi::Constant(basis.n_coordinates(), -1),
+          Eigen::VectorXi::Constant(basis.n_followers(), 1);
+      tail.before_tip_node = static_cast<int>(swimmer.tail().axis_at_tip[1]);
+      tail.tip_node        = static_cast<int>(swimmer.tail().axis_at_tip[2]);
+      return tail;
+    }
+
+    /// Integral of the modes' gradients along the axis: what a tail magnetised along it gains by them.
+    ReducedMagnet assemble_magnet(const Swimmer<2> &swimmer, const Eigen::MatrixXd &modes)
+    {
+      const auto   &axial = swimmer.elasticity().axial_gradient_of_node();
+      ReducedMagnet magnet;
+      magnet.head_area_m2        = swimmer.scene().head.area_m2();
+      magnet.tail_area_m2        = {swimmer.elasticity().volume(), 0.};
+      magnet.tail_area_of_mode_m = Eigen::MatrixXd::Zero(2, modes.cols());
+      for (std::size_t a = 0; a < axial.size(); ++a)
+        magnet.tail_area_of_mode_m += axial[a] * modes.middleRows(2 * a, 2);
+      return magnet;
+    }
+  } // namespace
+
+  ReducedModel assemble_body(const Swimmer<2> &swimmer, const SnapshotSet &set, const TailBasis &basis)
+  {
+    ReducedModel model;
+    model.tail       = assemble_tail(swimmer, set, basis);
+    model.elasticity = compute_strain_grams(swimmer, model.tail.modes);
+    model.magnet     = assemble_magnet(swimmer, model.tail.modes);
+    // Coordinates only bend and followers follow: what is left of a change of area is not theirs to refuse.
+    const Eigen::Index n = model.tail.modes.cols();
+    model.area.is_kept   = false;
+    model.area.linear_m  = Eigen::VectorXd::Zero(n);
+    model.area.quadratic = Eigen::MatrixXd::Zero(n, n);
+    model.scene_name     = swimmer.scene().name;
+    model.scene_text     = swimmer.scene().text;
+    return model;
+  }
+} // namespace swimtwin

@@ -1,0 +1,12 @@
+// The pieces of a training as one reduced model.
+#pragma once
+
+#include <datasets/reduced_model.h>
+#include <fom/swimmer.h>
+#include <rom/training/tail_basis.h>
+
+namespace swimtwin
+{
+  /// Tail, elasticity, magnet and area of a basis; no resistance yet. `tail` describes the mesh.
+  ReducedModel assemble_body(const Swimmer<2> &swimmer, const SnapshotSet &tail, const TailBasis &basis);
+} // namespace swimtwin

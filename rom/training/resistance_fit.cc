@@ -1,0 +1,292 @@
+#include <rom/training/resistance_fit.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace swimtwin
+{
+  Eigen::VectorXd SampledRegion::variables(const ShapePoint &point) const
+  {
+    Eigen::VectorXd z(n_variables());
+    z.head(point.q.size()) = point.q.cwiseQuotient(coordinate_scale_m);
+    if (depends_on_angle)
+      z(z.size() - 1) = point.angle_rad / angle_scale_rad;
+    return z;
+  }
+
+  Eigen::MatrixXd factor_at_rest(const Eigen::MatrixXd &rest)
+  {
+    Eigen::MatrixXd symmetric = rest;
+    for (Eigen::Index i = 0; i < rest.rows(); ++i)
+      for (Eigen::Index j = 0; j < rest.cols(); ++j)
+        if (velocity_parity(i) * velocity_parity(j) < 0)
+          symmetric(i, j) = 0.;
+    return symmetric.llt().matrixL();
+  }
+
+  Eigen::VectorXd factor_entries(const Eigen::MatrixXd &L0, const Eigen::MatrixXd &resistance)
+  {
+    const Eigen::MatrixXd half   = L0.triangularView<Eigen::Lower>().solve(resistance);
+    const Eigen::MatrixXd scaled = L0.triangularView<Eigen::Lower>().solve(half.transpose());
+    const Eigen::MatrixXd C      = ((scaled + scaled.transpose()) / 2.).llt().matrixL();
+    const Eigen::Index    n      = C.rows();
+    Eigen::VectorXd       entries(n * (n + 1) / 2);
+    for (Eigen::Index i = 0, k = 0; i < n; ++i)
+      for (Eigen::Index j = 0; j <= i; ++j, ++k)
+        entries(k) = i == j ? std::log(C(i, i)) : C(i, j);
+    return entries;
+  }
+
+  Eigen::VectorXd variable_effects(const Eigen::MatrixXd &rest, const std::vector<Eigen::MatrixXd> &axis)
+  {
+    const Eigen::MatrixXd L0 = factor_at_rest(rest);
+    Eigen::VectorXd       effects(axis.size());
+    for (std::size_t i = 0; i < axis.size(); ++i)
+      effects(i) = std::max(1e-4, factor_entries(L0, axis[i]).cwiseAbs().maxCoeff());
+    return effects;
+  }
+
+  namespace
+  {
+    constexpr int highest_degree = 10;
+
+    /// All exponents with prod effect_i^exponent_i >= bound, by degree.
+    Eigen::MatrixXi features_above(const Eigen::VectorXd &effects, const double bound)
+    {
+      const int                    n = static_cast<int>(effects.size());
+      std::vector<Eigen::VectorXi> found{Eigen::VectorXi::Zero(n)};
+      std::vector<double>          value{1.};
+      std::vector<int>             last{0}; // variables are appended in order, so that every monomial is made once
+      for (std::size_t k = 0; k < found.size(); ++k)
+        for (int i = last[k]; i < n; ++i)
+          if (value[k] * effects(i) >= bound && found[k].sum() < highest_degree)
+          {
+            found.push_back(found[k]);
+            ++found.back()(i);
+            value.push_back(value[k] * effects(i));
+            last.push_back(i);
+          }
+      Eigen::MatrixXi exponents(found.size(), n);
+      for (std::size_t k = 0; k < found.size(); ++k)
+        exponents.row(k) = found[k];
+      return exponents;
+    }
+
+    Eigen::VectorXd monomials(const Eigen::MatrixXi &exponents, const Eigen::VectorXd &z)
+    {
+      Eigen::VectorXd values = Eigen::VectorXd::Ones(exponents.rows());
+      for (Eigen::Index i = 0; i < z.size(); ++i)
+      {
+        std::array<double, highest_degree + 1> power{1.};
+        for (int d = 1; d <= highest_degree; ++d)
+          power[d] = power[d - 1] * z(i);
+        for (Eigen::Index k = 0; k < exponents.rows(); ++k)
+          values(k) *= power[exponents(k, i)];
+      }
+      return values;
+    }
+
+    /// Rows of one parity. Every variable is odd, so the parity of a monomial is that of its degree.
+    std::vector<int> of_parity(const Eigen::MatrixXi &exponents, const int odd)
+    {
+      std::vector<int> rows;
+      for (Eigen::Index k = 0; k < exponents.rows(); ++k)
+        if (exponents.row(k).sum() % 2 == odd)
+          rows.push_back(static_cast<int>(k));
+      return rows;
+    }
+
+    /// Columns of C's entries of one parity, in an n x n matrix.
+    std::vector<int> entries_of_parity(const Eigen::Index n, const int odd)
+    {
+      std::vector<int> columns;
+      for (int i = 0, k = 0; i < n; ++i)
+        for (int j = 0; j <= i; ++j, ++k)
+          if ((velocity_parity(i) * velocity_parity(j) < 0) == (odd == 1))
+            columns.push_back(k);
+      return columns;
+    }
+
+    /// Samples as tables: one row each.
+    struct Table
+    {
+      Eigen::MatrixXd z, entries;
+      Eigen::Index    n; ///< size of the resistance
+
+      Table rows(const std::vector<int> &which) const { return {z(which, Eigen::all), entries(which, Eigen::all), n}; }
+    };
+
+    Eigen::MatrixXd design(const Eigen::MatrixXi &exponents, const Eigen::MatrixXd &z)
+    {
+      Eigen::MatrixXd A(z.rows(), exponents.rows());
+      for (Eigen::Index k = 0; k < z.rows(); ++k)
+        A.row(k) = monomials(exponents, z.row(k).transpose()).transpose();
+      return A;
+    }
+
+    Eigen::MatrixXd fit_coefficients(const Eigen::MatrixXi &exponents, const Table &table)
+    {
+      const Eigen::MatrixXd A = design(exponents, table.z);
+      Eigen::MatrixXd       c = Eigen::MatrixXd::Zero(exponents.rows(), table.entries.cols());
+      for (const int odd : {0, 1})
+      {
+        const auto features = of_parity(exponents, odd);
+        const auto entries  = entries_of_parity(table.n, odd);
+        c(features, entries) =
+            A(Eigen::all, features).colPivHouseholderQr().solve(table.entries(Eigen::all, entries)).eval();
+      }
+      return c;
+    }
+
+    Eigen::MatrixXd factor(const Eigen::VectorXd &entries, const Eigen::Index n)
+    {
+      Eigen::MatrixXd C = Eigen::MatrixXd::Zero(n, n);
+      for (Eigen::Index i = 0, k = 0; i < n; ++i)
+        for (Eigen::Index j = 0; j <= i; ++j, ++k)
+          C(i, j) = i == j ? std::exp(entries(k)) : entries(k);
+      return C;
+    }
+
+    /// Largest relative error of the resistance for any motion.
+    double relative_error(const Eigen::VectorXd &fitted, const Eigen::VectorXd &truth, const Eigen::Index n)
+    {
+      const Eigen::MatrixXd D = factor(fitted, n).triangularView<Eigen::Lower>().solve(factor(truth, n));
+      return (D * D.transpose() - Eigen::MatrixXd::Identity(n, n)).operatorNorm();
+    }
+
+    FitQuality cross_validate(const Eigen::MatrixXi &exponents, const Table &table)
+    {
+      constexpr int       n_folds = 5;
+      FitQuality          quality{0., 0., static_cast<int>(exponents.rows())};
+      std::vector<double> errors;
+      for (int fold = 0; fold < n_folds; ++fold)
+      {
+        std::vector<int> kept, held;
+        for (int k = 0; k < table.z.rows(); ++k)
+          (k > 0 && k % n_folds == fold ? held : kept).push_back(k); // rest is always kept
+        const Table           test   = table.rows(held);
+        const Eigen::MatrixXd fitted = design(exponents, test.z) * fit_coefficients(exponents, table.rows(kept));
+        for (Eigen::Index k = 0; k < fitted.rows(); ++k)
+          errors.push_back(relative_error(fitted.row(k).transpose(), test.entries.row(k).transpose(), table.n));
+      }
+      for (const double e : errors)
+      {
+        quality.rms += e * e / errors.size();
+        quality.largest = std::max(quality.largest, e);
+      }
+      quality.rms = std::sqrt(quality.rms);
+      return quality;
+    }
+
+    /// Bounds whose feature sets grow by about a third each, up to a third of the samples per parity.
+    std::vector<Eigen::MatrixXi> feature_sets(const Eigen::VectorXd &effects, const Eigen::Index n_samples)
+    {
+      // Nothing is analytic enough for a power of more than this.
+      const Eigen::VectorXd        bounded = effects.cwiseMin(.7);
+      std::vector<Eigen::MatrixXi> sets;
+      for (double bound = .3; bound > 1e-9; bound *= .7)
+      {
+        Eigen::MatrixXi set = features_above(bounded, bound);
+        if (3 * static_cast<Eigen::Index>(std::max(of_parity(set, 0).size(), of_parity(set, 1).size())) > n_samples)
+          break;
+        if (sets.empty() || 4 * set.rows() > 5 * sets.back().rows())
+          sets.push_back(std::move(set));
+      }
+      return sets;
+    }
+
+    Eigen::MatrixXd inverse_factor(const Eigen::MatrixXd &A)
+    {
+      const Eigen::HouseholderQR<Eigen::MatrixXd> qr(A);
+      const Eigen::MatrixXd                       R = qr.matrixQR().topRows(A.cols());
+      return R.triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(A.cols(), A.cols()));
+    }
+  } // namespace
+
+  ResistanceFit::ResistanceFit(const std::vector<ResistanceSample> &samples, const SampledRegion &region,
+                               const Eigen::VectorXd &effects)
+      : region_(region)
+  {
+    const Eigen::Index n       = samples.front().resistance.rows();
+    resistance_.factor_at_rest = factor_at_rest(samples.front().resistance);
+    Table table{Eigen::MatrixXd(samples.size(), region.n_variables()), Eigen::MatrixXd(samples.size(), n * (n + 1) / 2),
+                n};
+    for (std::size_t k = 0; k < samples.size(); ++k)
+    {
+      table.z.row(k)       = region.variables(samples[k].point).transpose();
+      table.entries.row(k) = factor_entries(resistance_.factor_at_rest, samples[k].resistance).transpose();
+    }
+
+    quality_.rms = std::numeric_limits<double>::infinity();
+    for (const auto &set : feature_sets(effects, table.z.rows()))
+      if (const FitQuality quality = cross_validate(set, table); quality.rms < .97 * quality_.rms)
+      {
+        quality_              = quality;
+        resistance_.exponents = set;
+      }
+    const Eigen::MatrixXd A = design(resistance_.exponents, table.z);
+    for (const int odd : {0, 1})
+    {
+      features_[odd]                = of_parity(resistance_.exponents, odd);
+      const Eigen::MatrixXd inverse = inverse_factor(A(Eigen::all, features_[odd]));
+      covariance_[odd]              = inverse * inverse.transpose();
+    }
+    resistance_.coordinate_scale_m = region.coordinate_scale_m;
+    resistance_.depends_on_angle   = region.depends_on_angle;
+    resistance_.angle_scale_rad    = region.angle_scale_rad;
+    resistance_.coefficients       = fit_coefficients(resistance_.exponents, table);
+  }
+
+  double ResistanceFit::leverage(const ShapePoint &point) const
+  {
+    const Eigen::VectorXd a       = monomials(resistance_.exponents, region_.variables(point));
+    double                largest = 0.;
+    for (const int odd : {0, 1})
+    {
+      const Eigen::VectorXd part = a(features_[odd]);
+      largest                    = std::max(largest, part.dot(covariance_[odd] * part));
+    }
+    return largest;
+  }
+
+  std::vector<ShapePoint> ResistanceFit::worst_supported(const std::vector<ShapePoint> &candidates, const int n) const
+  {
+    const auto                     m = static_cast<Eigen::Index>(candidates.size());
+    std::array<Eigen::MatrixXd, 2> rows;
+    std::array<Eigen::VectorXd, 2> leverages;
+    auto                           covariance = covariance_;
+    for (const int odd : {0, 1})
+    {
+      rows[odd].resize(m, static_cast<Eigen::Index>(features_[odd].size()));
+      for (Eigen::Index k = 0; k < m; ++k)
+        rows[odd].row(k) = monomials(resistance_.exponents, region_.variables(candidates[k]))(features_[odd]);
+      leverages[odd] = (rows[odd] * covariance[odd]).cwiseProduct(rows[odd]).rowwise().sum();
+    }
+    std::vector<ShapePoint> chosen;
+    while (static_cast<int>(chosen.size()) < std::min<Eigen::Index>(n, m))
+    {
+      Eigen::Index worst;
+      leverages[0].cwiseMax(leverages[1]).maxCoeff(&worst);
+      chosen.push_back(candidates[worst]);
+      for (const int odd : {0, 1})
+      {
+        // One more row in the design matrix: Sherman and Morrison's formula.
+        const Eigen::VectorXd a     = rows[odd].row(worst).transpose();
+        const Eigen::VectorXd Ma    = covariance[odd] * a;
+        const double          scale = 1. + a.dot(Ma);
+        covariance[odd] -= Ma * Ma.transpose() / scale;
+        leverages[odd] -= (rows[odd] * Ma).cwiseAbs2() / scale;
+      }
+    }
+    return chosen;
+  }
+
+  double ResistanceFit::error_at(const ResistanceSample &sample) const
+  {
+    const Eigen::VectorXd fitted =
+        resistance_.coefficients.transpose() * monomials(resistance_.exponents, region_.variables(sample.point));
+    return relative_error(fitted, factor_entries(resistance_.factor_at_rest, sample.resistance),
+                          sample.resistance.rows());
+  }
+} // namespace swimtwin

@@ -1,0 +1,71 @@
+// Fit of the resistance surrogate to samples: log-Cholesky polynomials with the mirror's parity built in.
+#pragma once
+
+#include <datasets/reduced_model.h>
+#include <rom/training/shape_sampler.h>
+
+#include <array>
+
+namespace swimtwin
+{
+  /// The region of shapes and poses that is sampled: |q / scale| <= 1 and |angle| <= angle_scale.
+  struct SampledRegion
+  {
+    Eigen::VectorXd coordinate_scale_m;
+    bool            depends_on_angle = false;
+    double          angle_scale_rad  = 1.;
+
+    int             n_variables() const { return static_cast<int>(coordinate_scale_m.size()) + depends_on_angle; }
+    Eigen::VectorXd variables(const ShapePoint &point) const; ///< z, then the scaled angle if it matters
+  };
+
+  struct FitQuality
+  {
+    double rms = 0., largest = 0.; ///< relative error of the resistance, |C^-1 R C^-T - 1|, over held-back samples
+    int    n_features = 0;
+  };
+
+  /// Which monomials matter is told by `effects`: how much each variable at the region's edge changes the scaled
+  /// factor. Their products, raised to the powers of a monomial, must exceed a bound; the bound is chosen by
+  /// cross-validation. The first sample is that at rest. All bending coordinates are odd.
+  class ResistanceFit
+  {
+  public:
+    ResistanceFit(const std::vector<ResistanceSample> &samples, const SampledRegion &region,
+                  const Eigen::VectorXd &effects);
+
+    const ReducedResistance &resistance() const { return resistance_; }
+    /// By five-fold cross-validation.
+    const FitQuality &quality() const { return quality_; }
+    /// Those n of the candidates that the samples support worst: each has the largest variance of its prediction per
+    /// variance of the data (leverage) once those before it are samples too.
+    std::vector<ShapePoint> worst_supported(const std::vector<ShapePoint> &candidates, int n) const;
+    /// That variance at one point.
+    double leverage(const ShapePoint &point) const;
+    /// Largest relative error of the resistance at a sample, for any motion: |R^-1/2 (fitted - R) R^-1/2|.
+    double error_at(const ResistanceSample &sample) const;
+
+  private:
+    SampledRegion                   region_;
+    ReducedResistance               resistance_;
+    FitQuality                      quality_;
+    std::array<std::vector<int>, 2> features_;   ///< even, odd
+    std::array<Eigen::MatrixXd, 2>  covariance_; ///< (A^T A)^-1 of their design matrices
+  };
+
+  /// Effects of the variables from samples at the region's edge on each axis: largest entry of C - 1 there, at least
+  /// 1e-4. `rest` and `axis` hold the resistance at rest and at z = e_i.
+  Eigen::VectorXd variable_effects(const Eigen::MatrixXd &rest, const std::vector<Eigen::MatrixXd> &axis);
+
+  /// L_0 of a resistance at rest, with what the mirror forbids taken out. s_i s_j = -1 entries are zero.
+  Eigen::MatrixXd factor_at_rest(const Eigen::MatrixXd &rest);
+
+  /// Entries of C (row by row, j <= i, diagonal as logarithm) of a resistance: L_0 C C^T L_0^T.
+  Eigen::VectorXd factor_entries(const Eigen::MatrixXd &factor_at_rest, const Eigen::MatrixXd &resistance);
+
+  /// Parity under the mirror of generalised velocity i: +1 along the axis, -1 across, turning and bending.
+  constexpr int velocity_parity(const int i)
+  {
+    return i == 0 ? 1 : -1;
+  }
+} // namespace swimtwin

@@ -1,0 +1,132 @@
+#include <rom/training/sampled_shapes.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace swimtwin
+{
+  std::vector<ShapePoint> trajectory_points(const std::vector<SnapshotSet> &sets, const TailBasis &basis,
+                                            const TailSpace &space)
+  {
+    std::vector<ShapePoint> points;
+    const Eigen::MatrixXd   projection = basis.coordinates.transpose() * space.mean_product;
+    for (const auto &set : sets)
+    {
+      const Eigen::MatrixXd q = projection * set.tail_displacement_m.transpose();
+      for (Eigen::Index k = 0; k < q.cols(); ++k)
+        points.push_back({q.col(k), set.pose(k, 2), 0., 0.});
+    }
+    return points;
+  }
+
+  Eigen::Vector2d reach_of_middle(const std::vector<SnapshotSet> &sets, const Swimmer<2> &swimmer)
+  {
+    Eigen::Vector2d reach = Eigen::Vector2d::Zero();
+    for (const auto &set : sets)
+    {
+      const auto middle = [&](const Eigen::Index k) {
+        RigidPose<2> pose;
+        pose.center = dealii::Point<2>(set.pose(k, 0), set.pose(k, 1));
+        pose.angle  = set.pose(k, 2);
+        return pose.to_laboratory(swimmer.arm_to_middle(nodal_field(set.tail_displacement_m.row(k).transpose())));
+      };
+      for (Eigen::Index k = 0; k < set.pose.rows(); ++k)
+        for (int c = 0; c < 2; ++c)
+          reach[c] = std::max(reach[c], std::abs(middle(k)[c] - middle(0)[c]));
+    }
+    return reach;
+  }
+
+  SampledRegion region_around(const std::vector<ShapePoint> &points, const double margin)
+  {
+    constexpr double smallest_share = 0.004;
+    SampledRegion    region;
+    region.coordinate_scale_m = Eigen::VectorXd::Zero(points.front().q.size());
+    region.angle_scale_rad    = 0.;
+    for (const auto &point : points)
+    {
+      region.coordinate_scale_m = region.coordinate_scale_m.cwiseMax(point.q.cwiseAbs());
+      region.angle_scale_rad    = std::max(region.angle_scale_rad, margin * std::abs(point.angle_rad));
+    }
+    region.coordinate_scale_m =
+        region.coordinate_scale_m.cwiseMax(smallest_share * region.coordinate_scale_m.maxCoeff()).eval();
+    double radius = 0.;
+    for (const auto &point : points)
+      radius = std::max(radius, point.q.cwiseQuotient(region.coordinate_scale_m).norm());
+    region.coordinate_scale_m *= margin * radius;
+    return region;
+  }
+
+  std::vector<ShapePoint> axis_points(const SampledRegion &region, const ShapePoint &rest)
+  {
+    std::vector<ShapePoint> points{rest};
+    for (Eigen::Index i = 0; i < region.coordinate_scale_m.size(); ++i)
+    {
+      points.push_back(rest);
+      points.back().q(i) = region.coordinate_scale_m(i);
+    }
+    if (region.depends_on_angle)
+    {
+      points.push_back(rest);
+      points.back().angle_rad = region.angle_scale_rad;
+    }
+    return points;
+  }
+
+  double halton(int k, const int base)
+  {
+    double value = 0., digit = 1. / base;
+    for (; k > 0; k /= base, digit /= base)
+      value += digit * (k % base);
+    return value;
+  }
+
+  std::vector<ShapePoint> filling_points(const SampledRegion &region, const ShapePoint &rest, const int n)
+  {
+    constexpr std::array    primes{2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37};
+    const Eigen::Index      r = rest.q.size();
+    std::vector<ShapePoint> points;
+    for (int k = 1; static_cast<int>(points.size()) < n; ++k)
+    {
+      // Directions from Gaussian-like sums would cluster; a cube's points, pulled radially onto the ball, fill it.
+      Eigen::VectorXd z(r);
+      for (Eigen::Index i = 0; i < r; ++i)
+        z(i) = 2. * halton(k, primes[i % primes.size()]) - 1.;
+      const double length = z.norm();
+      if (length == 0.)
+        continue;
+      z *= z.cwiseAbs().maxCoeff() / length;
+      points.push_back(rest);
+      points.back().q = z.cwiseProduct(region.coordinate_scale_m);
+      if (region.depends_on_angle)
+        points.back().angle_rad = region.angle_scale_rad * (2. * halton(k, primes[r % primes.size()]) - 1.);
+    }
+    return points;
+  }
+
+  std::vector<ShapePoint> spread_out(const std::vector<ShapePoint> &candidates, const std::vector<ShapePoint> &taken,
+                                     const SampledRegion &region, const Eigen::VectorXd &effects, const int n)
+  {
+    std::vector<Eigen::VectorXd> place;
+    std::vector<double>          distance(candidates.size(), std::numeric_limits<double>::infinity());
+    for (const auto &point : candidates)
+      place.push_back(region.variables(point).cwiseProduct(effects));
+    const auto withdraw_from = [&](const Eigen::VectorXd &centre) {
+      for (std::size_t k = 0; k < place.size(); ++k)
+        // The mirror image of a sample is as good as the sample.
+        distance[k] = std::min({distance[k], (place[k] - centre).norm(), (place[k] + centre).norm()});
+    };
+    for (const auto &point : taken)
+      withdraw_from(region.variables(point).cwiseProduct(effects));
+    std::vector<ShapePoint> chosen;
+    while (static_cast<int>(chosen.size()) < std::min<int>(n, candidates.size()))
+    {
+      const auto farthest = std::max_element(distance.begin(), distance.end()) - distance.begin();
+      chosen.push_back(candidates[farthest]);
+      withdraw_from(place[farthest]);
+    }
+    return chosen;
+  }
+} // namespace swimtwin

@@ -1,0 +1,61 @@
+// The shapes that the reduced tail can take: modes whose amplitudes are coordinates, and modes that follow them.
+#pragma once
+
+#include <datasets/snapshot_set.h>
+
+#include <Eigen/Dense>
+#include <Eigen/Sparse>
+
+#include <vector>
+
+namespace swimtwin
+{
+  /// d(X; q) = sum_i q_i phi_i + sum_k p_k(q) psi_k with p_k a quadratic form: a tail that bends shortens. All modes
+  /// are orthonormal in the mean over the tail. Bending modes (odd under the mirror) are coordinates; a product of two
+  /// of them is even, and so are the followers.
+  struct TailBasis
+  {
+    Eigen::MatrixXd coordinates;     ///< 2 n_nodes x r
+    Eigen::MatrixXd followers;       ///< 2 n_nodes x s
+    Eigen::MatrixXd quadratic;       ///< s x r (r + 1) / 2; q_i q_j, j <= i, is column i (i + 1) / 2 + j
+    Eigen::VectorXd singular_values; ///< of bending and symmetric snapshots together, by size; empty without snapshots
+    double          energy_captured = 0.; ///< share of the snapshots' energy that the basis, followers included, holds
+    double          projection_error_m = 0.; ///< root mean square over snapshots and tail of what it cannot represent
+
+    int n_coordinates() const { return static_cast<int>(coordinates.cols()); }
+    int n_followers() const { return static_cast<int>(followers.cols()); }
+
+    Eigen::VectorXd follower_amplitudes(const Eigen::VectorXd &q) const;
+    /// The tail's displacement, and its derivative by q (2 n_nodes x r).
+    Eigen::VectorXd displacement(const Eigen::VectorXd &q) const;
+    Eigen::MatrixXd tangent(const Eigen::VectorXd &q) const;
+  };
+
+  /// The products q_i q_j, j <= i, and their derivative by q.
+  Eigen::VectorXd products(const Eigen::VectorXd &q);
+  Eigen::MatrixXd products_derivative(const Eigen::VectorXd &q);
+
+  /// Where tail fields live: the mean product (1/A) int u . v over the tail, and the mirror y -> -y of its nodes.
+  struct TailSpace
+  {
+    Eigen::MatrixXd             nodes_m;
+    Eigen::SparseMatrix<double> mean_product;
+    std::vector<int>            mirror;
+
+    /// Fields (interleaved components, one per column) under the mirror.
+    Eigen::MatrixXd mirrored(const Eigen::MatrixXd &fields) const;
+    /// Amplitudes of orthonormal fields (columns) in others.
+    Eigen::MatrixXd amplitudes(const Eigen::MatrixXd &orthonormal, const Eigen::MatrixXd &fields) const
+    {
+      return orthonormal.transpose() * (mean_product * fields);
+    }
+    double norm(const Eigen::VectorXd &field) const;
+    /// What orthonormal fields leave of another.
+    Eigen::VectorXd orthogonal_part(const Eigen::MatrixXd &orthonormal, Eigen::VectorXd field) const;
+  };
+
+  /// Throws ComputationError if the mesh is not symmetric.
+  TailSpace make_tail_space(const SnapshotSet &set);
+
+  void append_column(Eigen::MatrixXd &matrix, const Eigen::VectorXd &column);
+} // namespace swimtwin

@@ -1,0 +1,63 @@
+#include <rom/training/training.h>
+
+#include <datasets/error.h>
+#include <rom/training/training_runs.h>
+
+#include <fmt/format.h>
+
+namespace swimtwin
+{
+  namespace
+  {
+    void require(const Scene &scene, const bool condition, const char *reason, const char *remedy)
+    {
+      if (!condition)
+        throw InputError(fmt::format("{} cannot be trained: {}; {}", scene.name, reason, remedy));
+    }
+
+    bool walls_are_still(const Domain &domain)
+    {
+      for (const auto &[name, wall] : domain.walls)
+        if (wall.condition == WallCondition::moving_wall || wall.condition == WallCondition::inflow)
+          return false;
+      return true;
+    }
+  } // namespace
+
+  void require_trainable(const Scene &scene)
+  {
+    require(scene, scene.tail.has_value(), "it has no [tail], so that there is no shape to reduce",
+            "run it with simulate, which is fast for a rigid body");
+    require(scene, scene.fluid.has_value(), "it has no [fluid], and the reduced swimmer is driven by resistance",
+            "add [fluid] and [domain]");
+    require(scene, !scene.head.fixed, "[head] motion = \"fixed\", and the reduced swimmer swims", "set it to \"free\"");
+    require(scene, scene.tail->law == MaterialModel::st_venant_kirchhoff,
+            "[tail] law is not \"st-venant-kirchhoff\", the only one whose energy is a polynomial of the modes",
+            "change the law");
+    require(scene, scene.numerics.tail_order == 2, "[numerics] tail_order = 1, and a linear tail locks in bending",
+            "use 2");
+    require(scene, scene.gravity.acceleration_m_s2 == std::array<double, 2>{0., 0.},
+            "gravity acts, which the reduced swimmer does not know", "take [gravity] out");
+    require(scene, walls_are_still(*scene.domain),
+            "a wall moves or fluid flows in, which the reduced swimmer does not know",
+            "use no-slip and traction-free walls");
+    require(scene, scene.field.waveform() == FieldProgram::Waveform::sinusoidal,
+            "[field] is not the sinusoid bx_T, by_T, frequency_Hz that training runs are made with",
+            "give these three; the trained model then takes any field");
+  }
+
+  TrainedRange default_range(const Scene &scene)
+  {
+    require_trainable(scene);
+    const RunParameters p      = parameters_of(scene);
+    const auto          around = [](const double value, const double low, const double high) {
+      return value >= 0. ? Interval{low * value, high * value} : Interval{high * value, low * value};
+    };
+    return {around(p.young_modulus_Pa, .5, 4.),
+            {p.viscosity_Pa_s, p.viscosity_Pa_s},
+            around(p.magnetization_A_m, .5, 2.),
+            around(p.frequency_Hz, .125, 4.),
+            {p.bx_T, p.bx_T},
+            {p.by_T, p.by_T}};
+  }
+} // namespace swimtwin

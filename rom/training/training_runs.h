@@ -1,0 +1,43 @@
+// The full-order runs that modes and the region of shapes are taken from.
+#pragma once
+
+#include <datasets/reduced_model.h>
+#include <datasets/scene.h>
+#include <datasets/snapshot_set.h>
+
+#include <mpi.h>
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace swimtwin
+{
+  struct RunParameters
+  {
+    double young_modulus_Pa = 0., viscosity_Pa_s = 0., magnetization_A_m = 0., frequency_Hz = 0., bx_T = 0., by_T = 0.;
+  };
+
+  /// A scene's own parameters, and the scene with others. The field must be the reference sinusoid.
+  RunParameters parameters_of(const Scene &scene);
+  Scene with_parameters(const Scene &scene, const RunParameters &parameters, const std::vector<std::string> &overrides);
+
+  /// Soft, middling and stiff tails at the lowest, a middling and the highest frequency; the soft ones in the strongest
+  /// field, in which they bend most, the stiff ones in the weakest. Without inertia only E / (mu f) and M B / (mu f)
+  /// matter, so this spans the range.
+  std::vector<RunParameters> training_design(const TrainedRange &range);
+
+  struct TrainingRunOptions
+  {
+    std::filesystem::path         folder;
+    std::string                   command_line;
+    std::vector<std::string>      overrides;   ///< of the scene, beside the parameters
+    std::function<void(int, int)> on_progress; ///< runs done on this rank, and in all on it
+  };
+
+  /// Folder of each run, complete. Runs are shared out over ranks; those that are there already are not made again.
+  /// Collective.
+  std::vector<std::filesystem::path> run_full_order(const Scene &scene, const std::vector<RunParameters> &runs,
+                                                    const TrainingRunOptions &options, MPI_Comm communicator);
+} // namespace swimtwin
