@@ -113,6 +113,13 @@ namespace swimtwin
   }
 
   template <int dim>
+  bool CoupledSystem<dim>::field_outruns_step()
+  {
+    return torque_by_rate_ > 0. && is_outrun(torque_by_rate_ / (map_.length_scale() * map_.length_scale()),
+                                             system_.response_to_unit_load(map_.first_head_unknown() + dim));
+  }
+
+  template <int dim>
   void CoupledSystem<dim>::linearize_tail_cell(const unsigned int cell, const LinearizationPoint<dim> &point,
                                                const NodalField<dim> &w, TailCellSystem &system) const
   {
@@ -198,6 +205,8 @@ namespace swimtwin
   template <int dim>
   void CoupledSystem<dim>::assemble_head(const LinearizationPoint<dim> &point)
   {
+    const auto [torque, derivative] = swimmer_.torque_on_head(point.configuration.pose.angle, point.time_s);
+    torque_by_rate_                 = derivative * point.slope_weight;
     if (rank_ + 1 != n_ranks_)
       return;
     const double         length = map_.length_scale();
@@ -206,10 +215,8 @@ namespace swimtwin
     const Tensor<1, dim> force  = swimmer_.force_on_head(point.time_s);
     for (int c = 0; c < dim; ++c)
       rhs[first + c] += force[c];
-    const auto [torque, derivative] = swimmer_.torque_on_head(point.configuration.pose.angle, point.time_s);
-    const double slope              = derivative * point.slope_weight;
-    rhs[first + dim] += (torque - slope * point.rates.omega[0]) / length;
-    condensation_.add_to_entry(rotation_entry_, -slope / (length * length));
+    rhs[first + dim] += (torque - torque_by_rate_ * point.rates.omega[0]) / length;
+    condensation_.add_to_entry(rotation_entry_, -torque_by_rate_ / (length * length));
   }
 
   template <int dim>

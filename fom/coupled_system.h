@@ -38,6 +38,10 @@ namespace swimtwin
     /// solution. False if the linear solver failed. Collective.
     bool solve(const LinearizationPoint<dim> &point, std::vector<double> &unknowns);
 
+    /// Whether, at the last point of linearisation, the field turns the head away from an unstable equilibrium in less
+    /// time than the step. Collective.
+    bool field_outruns_step();
+
     CoupledVelocities<dim> velocities(const std::vector<double> &unknowns) const;
     /// Unknowns with the body's velocities in their places and the fluid at rest: a guess after remeshing.
     std::vector<double> guess(const CoupledVelocities<dim> &velocities) const;
@@ -75,5 +79,6 @@ namespace swimtwin
     std::vector<unsigned int>           tail_cells_;          ///< owned
     unsigned int                        first_tail_cell_ = 0; ///< its number in the condensation
     unsigned int                        rotation_entry_  = 0;
+    double                              torque_by_rate_  = 0.; ///< of the field, by the head's angular velocity
   };
 } // namespace swimtwin

@@ -21,6 +21,8 @@ namespace swimtwin
       return "the coupling iteration did not converge";
     case StepOutcome::linear_solver_failed:
       return "the linear solver failed";
+    case StepOutcome::unstable_equilibrium:
+      return "the field turns the head away from an unstable equilibrium in less time than the step";
     case StepOutcome::tail_equilibrium_failed:
       return "Newton's method for the tail under the fluid's load did not converge";
     }
@@ -42,6 +44,8 @@ namespace swimtwin
                    "[tail] law = \"neo-hookean\", raise [time] steps_per_period, or check young_modulus_Pa, "
                    "magnetization_A_m and the field"
                  : "raise [time] steps_per_period, or check young_modulus_Pa, magnetization_A_m and the field";
+    case StepOutcome::unstable_equilibrium:
+      return "raise [time] steps_per_period or [numerics] max_step_halvings, or check magnetization_A_m and the field";
     case StepOutcome::coupling_diverged:
       return "raise [time] steps_per_period, or check that the field, magnetization_A_m and young_modulus_Pa are what "
              "you meant";

@@ -16,6 +16,7 @@ namespace swimtwin
     tail_inverted,
     coupling_diverged,
     linear_solver_failed,
+    unstable_equilibrium,
     tail_equilibrium_failed
   };
 

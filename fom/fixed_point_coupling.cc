@@ -134,6 +134,8 @@ namespace swimtwin
         rates.shape_rate[a] = (configuration.shape[a] - step.known.shape[a]) / step.slope_weight;
       if (!solve_flow(step, configuration, rates, unknowns))
         return StepOutcome::linear_solver_failed;
+      if (flow_->field_outruns_step())
+        return StepOutcome::unstable_equilibrium;
       std::vector<double> values = flow_->fluid_values(unknowns);
 
       Configuration<dim> image = configuration;

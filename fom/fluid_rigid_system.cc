@@ -60,6 +60,7 @@ namespace swimtwin
   template <int dim>
   void FluidRigidSystem<dim>::add_torque_by_rotation(const double derivative)
   {
+    torque_by_rate_ = derivative;
     if (owns_head())
       condensation_.add_to_entry(rotation_entry_, -derivative / (map_.length_scale() * map_.length_scale()));
   }
@@ -70,6 +71,14 @@ namespace swimtwin
     solver_.set_matrix(condensation_.values());
     solver_.set_right_hand_side(condensation_.right_hand_side());
     return solver_.solve(unknowns);
+  }
+
+  template <int dim>
+  bool FluidRigidSystem<dim>::field_outruns_step()
+  {
+    return torque_by_rate_ > 0. && map_.head_is_free() &&
+           is_outrun(torque_by_rate_ / (map_.length_scale() * map_.length_scale()),
+                     solver_.response_to_unit_load(map_.first_head_unknown() + dim));
   }
 
   template <int dim>

@@ -30,6 +30,9 @@ namespace swimtwin
     /// Solve from a guess. False if the linear solver failed. Collective.
     bool solve(std::vector<double> &unknowns);
 
+    /// As of the coupled system; with its shape rate given, the body resists more than with a tail that yields.
+    bool field_outruns_step();
+
     /// U and omega; zero for a fixed head.
     dealii::Tensor<1, n_rigid<dim>> rigid_velocity(const std::vector<double> &unknowns) const;
     /// Fluid rows' values (velocities, scaled pressures), at the configuration last assembled.
@@ -45,5 +48,6 @@ namespace swimtwin
     MotionMap<dim>      map_;
     Condensation<dim>   condensation_;
     unsigned int        rotation_entry_ = 0;
+    double              torque_by_rate_ = 0.;
   };
 } // namespace swimtwin

@@ -82,6 +82,7 @@ namespace swimtwin
     const double tick        = scene_.time.time_step_s() / ticks_per_step;
     bool         fresh_mesh  = steps_since_remeshing_ == 0;
     int          largest = time_step_before_ == 0. ? ticks_of_first_step : ticks_per_step, halvings = 0;
+    int          longest = ticks_per_step;
     for (int done = 0; done < ticks_per_step;)
     {
       // A new mesh is made just before it is needed, so that the fields of every instant can still be read.
@@ -95,11 +96,11 @@ namespace swimtwin
       if (outcome == StepOutcome::accepted)
       {
         done += ticks;
-        largest     = ticks_per_step;
+        largest     = longest;
         fresh_mesh  = false;
         now_.time_s = (grid_step_ + double(done) / ticks_per_step) * scene_.time.time_step_s();
       }
-      else if (fluid_ && !fresh_mesh)
+      else if (fluid_ && !fresh_mesh && outcome != StepOutcome::unstable_equilibrium)
       {
         remesh();
         fresh_mesh = just_remeshed_ = true;
@@ -109,6 +110,8 @@ namespace swimtwin
         ++halvings;
         ++counts_.n_step_halvings;
         largest = ticks / 2;
+        if (outcome == StepOutcome::unstable_equilibrium)
+          longest = largest; // what is too long remains so for a while
       }
       else
         give_up(outcome, halvings);
@@ -131,11 +134,12 @@ namespace swimtwin
   void FullOrderModel<dim>::give_up(const StepOutcome outcome, const int halvings) const
   {
     std::ostringstream message;
-    message << "the step at t = " << now_.time_s << " s failed (" << cause(outcome) << ") after a remesh and "
-            << halvings << " halvings of the step: ";
+    const bool         is_about_time = outcome == StepOutcome::unstable_equilibrium; // neither mesh nor walls
+    message << "the step at t = " << now_.time_s << " s failed (" << cause(outcome) << ") after "
+            << (is_about_time ? "" : "a remesh and ") << halvings << " halvings of the step: ";
     const double distance =
         fluid_ ? distance_to_walls(*scene_.domain, swimmer_.surface(now_.configuration)) : scene_.body_length_m();
-    if (distance < .5 * scene_.numerics.mesh_size_m)
+    if (!is_about_time && distance < .5 * scene_.numerics.mesh_size_m)
       message << "the body is " << distance << " m from a wall, and contact is not modelled; enlarge the domain, move "
               << "the head, lower the field, or end the run before";
     else

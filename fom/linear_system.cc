@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace swimtwin
 {
@@ -209,5 +210,14 @@ namespace swimtwin
     MatDestroy(&X);
     MatDestroy(&B);
     return finite;
+  }
+
+  double LinearSystem::response_to_unit_load(const PetscInt unknown)
+  {
+    std::vector<double> load(size_, 0.), response(size_, 0.);
+    if (first_row_ <= unknown && unknown < last_row_)
+      load[unknown] = 1.;
+    set_right_hand_side(load);
+    return solve(response) ? response[unknown] : std::numeric_limits<double>::quiet_NaN();
   }
 } // namespace swimtwin

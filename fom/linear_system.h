@@ -52,9 +52,13 @@ namespace swimtwin
     /// Solve, starting from `solution` (full length on every rank), and replace it. False if neither old nor new
     /// factors gave the tolerance, or the result is not finite. Collective.
     bool solve(std::vector<double> &solution);
-    /// Solve for several right-hand sides (full length, the same on every rank) by one factorisation of the matrix as it
-    /// is, without iterations, and replace them by their solutions. Collective.
+    /// Solve for several right-hand sides (full length, the same on every rank) by one factorisation of the matrix as
+    /// it is, without iterations, and replace them by their solutions. Collective.
     bool solve_together(std::vector<std::vector<double>> &columns);
+
+    /// Response of an unknown to a unit load on it alone; not a number if it could not be solved for. Replaces the
+    /// right-hand side. Collective.
+    double response_to_unit_load(PetscInt unknown);
 
     const LinearSolverCounts &counts() const { return counts_; }
     void                      set_counts(const LinearSolverCounts &counts) { counts_ = counts; }

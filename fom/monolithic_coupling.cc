@@ -121,6 +121,8 @@ namespace swimtwin
       const double area_rate = wanted_area_rate(step, configuration, rates);
       if (!system_->solve({configuration, rates, step.slope_weight, step.time_s, area_rate}, unknowns))
         return StepOutcome::linear_solver_failed;
+      if (system_->field_outruns_step())
+        return StepOutcome::unstable_equilibrium;
       Configuration<dim> next   = advance_kinematics(step, configuration, system_->velocities(unknowns), rates);
       const double       change = swimmer_.relative_change(next, configuration);
       configuration             = std::move(next);

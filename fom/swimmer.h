@@ -36,6 +36,15 @@ namespace swimtwin
   /// moment x (cos(angle) by - sin(angle) bx): the moment points along the body's +x.
   MagneticTorque magnetic_torque(double moment_A_m2, double angle_rad, const std::array<double, 3> &field_T);
 
+  /// Whether an implicit step is too long for an unstable equilibrium. With the torque's derivative by the angular
+  /// velocity, a = slope_weight dT/dangle, the head resists by zeta - a: that grows soft where the equilibrium's growth
+  /// rate (dT/dangle) / zeta nears 1 / slope_weight, and beyond it turns the head back. Half of this rate is borne.
+  /// `response`: 1 / (zeta - a), angular velocity per torque.
+  inline bool is_outrun(const double torque_by_rate, const double response)
+  {
+    return !(response > 0. && torque_by_rate * response <= 1.);
+  }
+
   /// The body's description; it does not move. Built once per run. Collective.
   template <int dim>
   class Swimmer

@@ -150,4 +150,15 @@ namespace swimtwin
     EXPECT_TRUE(solve_for_wave(system, Chain(0.), solution));
     EXPECT_LE(error(solution), 1e-9 * n * n);
   }
+
+  // The inverse of the chain with shift 0 has entries (i + 1) (n - i) / (n + 1) on its diagonal; tolerance 1e-9.
+  TEST(LinearSystem, RespondsToAUnitLoadByTheDiagonalOfTheInverse)
+  {
+    LinearSystem system(MPI_COMM_WORLD, {});
+    const Chain  chain(0.);
+    system.set_pattern(0, n, chain.rows, chain.columns);
+    system.set_matrix(chain.values);
+    for (const PetscInt i : {0, 7, 49})
+      EXPECT_NEAR(system.response_to_unit_load(i), (i + 1.) * (n - i) / (n + 1.), 1e-8 * n);
+  }
 } // namespace swimtwin
