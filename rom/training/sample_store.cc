@@ -16,6 +16,11 @@ namespace swimtwin
     }
   } // namespace
 
+  double UsualPlace::height_m(const ShapePoint &point) const
+  {
+    return by_sine_m * std::sin(point.angle_rad) + by_coordinate.dot(point.q);
+  }
+
   SampleStore::SampleStore(std::filesystem::path file, std::string key) : file_(std::move(file)), key_(std::move(key))
   {
     if (!std::filesystem::exists(file_))

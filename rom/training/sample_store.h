@@ -13,8 +13,19 @@ namespace swimtwin
   struct ShapePoint
   {
     Eigen::VectorXd q;
-    double          angle_rad = 0.;        ///< of the head
-    double drift_x_m = 0., drift_y_m = 0.; ///< of the body's middle, the mean of its surface, from where it began
+    double          angle_rad = 0.;                 ///< of the head
+    double          drift_x_m = 0., drift_y_m = 0.; ///< of the body's middle from its usual place
+  };
+
+  /// Where the body's middle, the mean of its surface, usually is in a domain that stays: a swing of the head and a
+  /// bend of the tail push it sideways, always the same way. Between walls that counts: with the middle held in its
+  /// place the reference swimmer's displacement is 4 % off, with the head held 12 %.
+  struct UsualPlace
+  {
+    double          by_sine_m = 0.; ///< height per sine of the head's angle
+    Eigen::VectorXd by_coordinate;  ///< height per coordinate q
+
+    double height_m(const ShapePoint &point) const;
   };
 
   /// Remembers samples by the exact numbers of their points, failures too. Every rank reads, rank 0 writes.

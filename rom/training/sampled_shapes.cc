@@ -21,22 +21,51 @@ namespace swimtwin
     return points;
   }
 
-  Eigen::Vector2d reach_of_middle(const std::vector<SnapshotSet> &sets, const Swimmer<2> &swimmer)
+  namespace
   {
-    Eigen::Vector2d reach = Eigen::Vector2d::Zero();
-    for (const auto &set : sets)
+    /// The middle's way since the start, one column per snapshot of all sets.
+    Eigen::Matrix2Xd ways_of_middle(const std::vector<SnapshotSet> &sets, const Swimmer<2> &swimmer)
     {
-      const auto middle = [&](const Eigen::Index k) {
-        RigidPose<2> pose;
-        pose.center = dealii::Point<2>(set.pose(k, 0), set.pose(k, 1));
-        pose.angle  = set.pose(k, 2);
-        return pose.to_laboratory(swimmer.arm_to_middle(nodal_field(set.tail_displacement_m.row(k).transpose())));
-      };
-      for (Eigen::Index k = 0; k < set.pose.rows(); ++k)
-        for (int c = 0; c < 2; ++c)
-          reach[c] = std::max(reach[c], std::abs(middle(k)[c] - middle(0)[c]));
+      std::vector<dealii::Tensor<1, 2>> ways;
+      for (const auto &set : sets)
+      {
+        const auto middle = [&](const Eigen::Index k) {
+          RigidPose<2> pose;
+          pose.center = dealii::Point<2>(set.pose(k, 0), set.pose(k, 1));
+          pose.angle  = set.pose(k, 2);
+          return pose.to_laboratory(swimmer.arm_to_middle(nodal_field(set.tail_displacement_m.row(k).transpose())));
+        };
+        for (Eigen::Index k = 0; k < set.pose.rows(); ++k)
+          ways.push_back(middle(k) - middle(0));
+      }
+      Eigen::Matrix2Xd result(2, ways.size());
+      for (std::size_t k = 0; k < ways.size(); ++k)
+        result.col(k) << ways[k][0], ways[k][1];
+      return result;
     }
-    return reach;
+  } // namespace
+
+  Wandering wandering_of_middle(const std::vector<SnapshotSet> &sets, const std::vector<ShapePoint> &points,
+                                const Swimmer<2> &swimmer)
+  {
+    // Heights that the snapshots do not tell stay at zero: their damping is a ten-thousandth of what they tell best.
+    constexpr double       damping = 1e-4;
+    const Eigen::Matrix2Xd ways    = ways_of_middle(sets, swimmer);
+    const Eigen::Index     m = ways.cols(), r = points.front().q.size();
+    Eigen::MatrixXd        A       = Eigen::MatrixXd::Zero(m + r + 1, r + 1);
+    Eigen::VectorXd        heights = Eigen::VectorXd::Zero(m + r + 1);
+    const double           length  = swimmer.scene().body_length_m();
+    for (Eigen::Index k = 0; k < m; ++k)
+      A.row(k) << std::sin(points[k].angle_rad), points[k].q.transpose() / length;
+    heights.head(m)             = ways.row(1).transpose();
+    A.bottomRows(r + 1)         = damping * A.topRows(m).norm() * Eigen::MatrixXd::Identity(r + 1, r + 1);
+    const Eigen::VectorXd found = A.colPivHouseholderQr().solve(heights);
+
+    Wandering result{{found(0), found.tail(r) / length}, Eigen::Vector2d::Zero()};
+    for (Eigen::Index k = 0; k < m; ++k)
+      result.reach_m = result.reach_m.cwiseMax(
+          Eigen::Vector2d(std::abs(ways(0, k)), std::abs(ways(1, k) - result.usual.height_m(points[k]))));
+    return result;
   }
 
   SampledRegion region_around(const std::vector<ShapePoint> &points, const double margin)

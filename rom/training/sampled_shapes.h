@@ -9,8 +9,15 @@ namespace swimtwin
   std::vector<ShapePoint> trajectory_points(const std::vector<SnapshotSet> &sets, const TailBasis &basis,
                                             const TailSpace &space);
 
-  /// How far the body's middle went in the runs, along x and y.
-  Eigen::Vector2d reach_of_middle(const std::vector<SnapshotSet> &sets, const Swimmer<2> &swimmer);
+  struct Wandering
+  {
+    UsualPlace      usual;
+    Eigen::Vector2d reach_m; ///< how far from it the middle went, along x and y
+  };
+
+  /// From runs, whose points are those of the snapshots in the same order.
+  Wandering wandering_of_middle(const std::vector<SnapshotSet> &sets, const std::vector<ShapePoint> &points,
+                                const Swimmer<2> &swimmer);
 
   /// The region that holds all points, widened by `margin`. No coordinate's scale is below a hundredth of the largest
   /// one's, so that round-off in modes that hardly move cannot leave it.

@@ -15,9 +15,10 @@ namespace swimtwin
     return field;
   }
 
-  ShapeSampler::ShapeSampler(const Scene &scene, const TailBasis &basis, SampleStore &store,
+  ShapeSampler::ShapeSampler(const Scene &scene, const TailBasis &basis, const UsualPlace &place, SampleStore &store,
                              const MPI_Comm communicator)
-      : scene_(scene), basis_(basis), store_(store), communicator_(communicator), swimmer_(scene, MPI_COMM_SELF)
+      : scene_(scene), basis_(basis), place_(place), store_(store), communicator_(communicator),
+        swimmer_(scene, MPI_COMM_SELF)
   {
   }
 
@@ -28,7 +29,7 @@ namespace swimtwin
     c.pose.angle            = point.angle_rad;
     c.shape                 = nodal_field(basis_.displacement(point.q));
     // A body without force turns about its middle, so that is what stays where it was, not the head.
-    c.pose.center = middle + dealii::Tensor<1, 2>({point.drift_x_m, point.drift_y_m}) -
+    c.pose.center = middle + dealii::Tensor<1, 2>({point.drift_x_m, point.drift_y_m + place_.height_m(point)}) -
                     c.pose.rotation() * swimmer_.arm_to_middle(c.shape);
     return c;
   }

@@ -21,7 +21,8 @@ namespace swimtwin
   public:
     /// Every rank keeps a swimmer of its own. What the store has is not computed again, and it grows as samples come.
     /// All must outlive this. Collective.
-    ShapeSampler(const Scene &scene, const TailBasis &basis, SampleStore &store, MPI_Comm communicator);
+    ShapeSampler(const Scene &scene, const TailBasis &basis, const UsualPlace &place, SampleStore &store,
+                 MPI_Comm communicator);
 
     /// Samples in the order of the points; without those shapes that turn the tail inside out or cannot be meshed.
     /// Collective.
@@ -37,6 +38,7 @@ namespace swimtwin
 
     const Scene     &scene_;
     const TailBasis &basis_;
+    UsualPlace       place_;
     SampleStore     &store_;
     MPI_Comm         communicator_;
     Swimmer<2>       swimmer_;

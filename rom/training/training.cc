@@ -36,10 +36,11 @@ namespace swimtwin
       {
         take_snapshots();
         choose_basis();
+        follow_middle();
         model_       = assemble_body(swimmer_, tail_, basis_);
         model_.range = options_.range;
         SampleStore  store(options_.folder / "samples.h5", key_of_samples());
-        ShapeSampler sampler(scene_, basis_, store, communicator_);
+        ShapeSampler sampler(scene_, basis_, wandering_.usual, store, communicator_);
         choose_region(sampler);
         sample_resistance(sampler);
         hold_out_samples(sampler);
@@ -80,9 +81,19 @@ namespace swimtwin
         rest_        = {Eigen::VectorXd::Zero(basis_.n_coordinates()), 0., 0., 0.};
       }
 
+      void follow_middle()
+      {
+        shapes_seen_ = trajectory_points(sets_, basis_, space_);
+        wandering_   = wandering_of_middle(sets_, shapes_seen_, swimmer_);
+        if (scene_.domain->moves_with_swimmer)
+          wandering_.usual = {0., Eigen::VectorXd::Zero(basis_.n_coordinates())};
+      }
+
       std::string key_of_samples() const
       {
-        std::string bytes = "samples about the body's middle " + scene_.hash;
+        std::string bytes = fmt::format("{} {:.17g}", scene_.hash, wandering_.usual.by_sine_m);
+        bytes.append(reinterpret_cast<const char *>(wandering_.usual.by_coordinate.data()),
+                     static_cast<std::size_t>(wandering_.usual.by_coordinate.size()) * sizeof(double));
         for (const auto *numbers : {&basis_.coordinates, &basis_.followers, &basis_.quadratic})
           bytes.append(reinterpret_cast<const char *>(numbers->data()),
                        static_cast<std::size_t>(numbers->size()) * sizeof(double));
@@ -91,13 +102,11 @@ namespace swimtwin
 
       void choose_region(ShapeSampler &sampler)
       {
-        shapes_seen_ = trajectory_points(sets_, basis_, space_);
-        region_      = region_around(shapes_seen_, options_.shape_margin);
-        reach_m_     = reach_of_middle(sets_, swimmer_);
+        region_ = region_around(shapes_seen_, options_.shape_margin);
         if (!scene_.domain->moves_with_swimmer)
         {
           const auto few = spread_out(shapes_seen_, {rest_}, region_, Eigen::VectorXd::Ones(region_.n_variables()), 4);
-          pose_          = measure_pose_dependence(few, region_, rest_, reach_m_, sampler);
+          pose_          = measure_pose_dependence(few, region_, rest_, wandering_.reach_m, sampler);
         }
         region_.depends_on_angle = pose_.on_angle > negligible;
         if (!region_.depends_on_angle)
@@ -178,12 +187,13 @@ namespace swimtwin
         r.neglects.push_back(
             fmt::format("Inertia of fluid and solid: the unsteady group 2 pi rho f L^2 / mu is up to {:.2g}.",
                         unsteady_group(scene_, options_.range.frequency_Hz.high, options_.range.viscosity_Pa_s.low)));
-        r.neglects.push_back(
-            scene_.domain->moves_with_swimmer
-                ? "Nothing of the pose: the domain moves with the swimmer."
-                : fmt::format("The place in the domain: over the {:.2g} mm x {:.2g} mm that the body's middle went, "
-                              "resistance changes by at most {:.2g} %.",
-                              1e3 * reach_m_[0], 1e3 * reach_m_[1], 100. * pose_.on_position));
+        r.neglects.push_back(scene_.domain->moves_with_swimmer
+                                 ? "Nothing of the pose: the domain moves with the swimmer."
+                                 : fmt::format("The place in the domain: over the {:.2g} mm x {:.2g} mm that the "
+                                               "body's middle strayed from its usual place, "
+                                               "resistance changes by at most {:.2g} %.",
+                                               1e3 * wandering_.reach_m[0], 1e3 * wandering_.reach_m[1],
+                                               100. * pose_.on_position));
         if (!scene_.domain->moves_with_swimmer && !region_.depends_on_angle)
           r.neglects.push_back(
               fmt::format("The angle in the domain: resistance changes by at most {:.2g} %.", 100. * pose_.on_angle));
@@ -219,7 +229,7 @@ namespace swimtwin
       TailBasis                          basis_;
       ShapePoint                         rest_;
       std::vector<ShapePoint>            shapes_seen_;
-      Eigen::Vector2d                    reach_m_ = Eigen::Vector2d::Zero();
+      Wandering                          wandering_;
       SampledRegion                      region_;
       PoseDependence                     pose_;
       Eigen::VectorXd                    effects_;
