@@ -112,6 +112,8 @@ namespace swimtwin
 
   Pod PodBuilder::compute(const int n_modes) const
   {
+    if (rank_ == 0)
+      return {Eigen::MatrixXd(n_, 0), Eigen::VectorXd()};
     Eigen::MatrixXd R = Eigen::MatrixXd::Zero(rank_, n_snapshots());
     for (int j = 0; j < n_snapshots(); ++j)
       R.col(j).head(coefficients_[j].size()) = coefficients_[j];

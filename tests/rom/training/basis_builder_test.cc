@@ -53,10 +53,8 @@ namespace swimtwin
 
   TEST_F(BasisBuilderTest, VanishOnTheHead)
   {
-    for (unsigned int a = 0; a < swimmer.tail().mesh.n_nodes(); ++a)
-      if (swimmer.is_clamped(a))
-        for (int i = 0; i < 2; ++i)
-          EXPECT_LE(basis.coordinates.row(2 * a + i).cwiseAbs().maxCoeff(), 1e-9);
+    for (const auto a : swimmer.tail().clamped_nodes)
+      EXPECT_LE(basis.coordinates.middleRows(2 * a, 2).cwiseAbs().maxCoeff(), 1e-9);
   }
 
   // Bending costs the least energy if the tail may shorten: with followers the energy of a bent tail is that of
@@ -105,7 +103,8 @@ namespace swimtwin
     BasisBuilder      builder(space, stiffness, MPI_COMM_WORLD);
     builder.add(set, "made up");
     const TailBasis found = builder.compute(2, 3);
-    EXPECT_LT(found.projection_error_m, 1e-8); // of shapes of 350 um
+    // The elastic tail's answer has the weight 0.02^2 against the snapshots', whose followers move by up to 50 um.
+    EXPECT_LT(found.projection_error_m, 0.02 * 0.02 * 50e-6);
     EXPECT_GT(found.energy_captured, 1. - 1e-8);
   }
 

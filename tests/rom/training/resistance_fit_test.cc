@@ -59,12 +59,15 @@ namespace swimtwin
 
   TEST_F(ResistanceFitTest, CoefficientsHaveTheMirrorsParity)
   {
-    const auto &r = ResistanceFit(samples, region, effects).resistance();
+    const ReducedResistance r = ResistanceFit(samples, region, effects).resistance();
     for (Eigen::Index f = 0; f < r.exponents.rows(); ++f)
       for (int i = 0, k = 0; i < 5; ++i)
         for (int j = 0; j <= i; ++j, ++k)
-          if ((r.exponents.row(f).sum() % 2 == 1) != (velocity_parity(i) * velocity_parity(j) < 0))
-            EXPECT_EQ(r.coefficients(f, k), 0.);
+        {
+          const bool odd_monomial = r.exponents.row(f).sum() % 2 == 1,
+                     odd_entry    = velocity_parity(i) * velocity_parity(j) < 0;
+          EXPECT_TRUE(odd_monomial == odd_entry || r.coefficients(f, k) == 0.);
+        }
   }
 
   TEST_F(ResistanceFitTest, LeverageGrowsAwayFromTheSamples)
