@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace swimtwin
 {
@@ -40,9 +41,33 @@ namespace swimtwin
       picture.set("f_min", logarithmic ? lowest / 1.15 : lowest - margin);
       picture.set("f_max", logarithmic ? highest * 1.15 : highest + margin);
     }
+
+    void add_marks(GnuplotPicture &picture, const std::vector<FrequencyCurve> &curves, const FrequencyMarks &marks)
+    {
+      picture.set_flag("has_marks", !marks.curves.empty());
+      picture.set_text("marks", marks.name);
+      picture.table.begin_block("other points: frequency (Hz), displacement (mm), curve");
+      for (const FrequencyCurve &marked : marks.curves)
+        for (std::size_t k = 0; k < curves.size(); ++k)
+          if (curves[k].name == marked.name)
+            for (const CurvePoint &point : marked.points)
+              picture.table.add_row({point.frequency_Hz, mm * point.displacement_m, static_cast<double>(k)});
+      if (marks.curves.empty()) // gnuplot wants a row
+        picture.table.add_row({1., 0., 0.});
+    }
+
+    /// Symbols on every point of a short curve, and on some of a long one.
+    double symbol_interval(const std::vector<FrequencyCurve> &curves)
+    {
+      std::size_t longest = 1;
+      for (const FrequencyCurve &curve : curves)
+        longest = std::max(longest, curve.points.size());
+      return std::max(1., std::floor(static_cast<double>(longest) / 12.));
+    }
   } // namespace
 
-  GnuplotPicture frequency_picture(const std::vector<FrequencyCurve> &curves, const std::string &sweep)
+  GnuplotPicture frequency_picture(const std::vector<FrequencyCurve> &curves, const std::string &sweep,
+                                   const FrequencyMarks &marks)
   {
     GnuplotPicture picture;
     picture.name   = "displacement_frequency";
@@ -50,6 +75,7 @@ namespace swimtwin
     picture.set_text("heading", "Displacement per period against frequency");
     picture.set_text("caption", fmt::format("{}: {}", sweep, finding(farthest(curves))));
     set_frequency_axis(picture, curves);
+    picture.set("every", symbol_interval(curves));
     picture.set("n_curves", static_cast<double>(curves.size()));
     for (std::size_t k = 0; k < curves.size(); ++k)
     {
@@ -62,6 +88,7 @@ namespace swimtwin
     for (std::size_t k = 0; k < curves.size(); ++k)
       picture.table.add_row(
           {curves[k].peak().frequency_Hz, mm * curves[k].peak().displacement_m, static_cast<double>(k)});
+    add_marks(picture, curves, marks);
     return picture;
   }
 } // namespace swimtwin

@@ -9,6 +9,14 @@
 
 namespace swimtwin
 {
+  /// Points from elsewhere, drawn over the curves of the same names.
+  struct FrequencyMarks
+  {
+    std::string                 name;
+    std::vector<FrequencyCurve> curves;
+  };
+
   /// `sweep` is its name in the caption; at least one curve.
-  GnuplotPicture frequency_picture(const std::vector<FrequencyCurve> &curves, const std::string &sweep);
+  GnuplotPicture frequency_picture(const std::vector<FrequencyCurve> &curves, const std::string &sweep,
+                                   const FrequencyMarks &marks = {});
 } // namespace swimtwin

@@ -203,8 +203,9 @@ set ylabel 'displacement per period (mm), positive head first'
 set xzeroaxis lt 1 lw 0.8 lc rgb pale_color
 unset colorbox
 set cbrange [-0.5:n_curves - 0.5]
-# Index n_curves: the peaks.
-plot for [k=0:n_curves-1] data index k using 1:2 with linespoints lw 2.2 pt 5 + 2*(int(k)%5) ps 1.3 lc palette cb k title value(sprintf('name_%d', k)), \
-     data index int(n_curves) using 1:2:3 with points pt 6 ps 2.8 lw 1.6 lc palette title 'peaks'
+# Index n_curves: the peaks; the next: other points, if there are any.
+plot for [k=0:n_curves-1] data index k using 1:2 with linespoints pi every lw 2.2 pt 5 + 2*(int(k)%5) ps 1.3 lc palette cb k title value(sprintf('name_%d', k)), \
+     data index int(n_curves) using 1:2:3 with points pt 6 ps 2.8 lw 1.6 lc palette title 'peaks', \
+     data index int(n_curves) + 1 using (has_marks ? $1 : NaN):2:3 with points pt 4 ps 1.7 lw 1.6 lc palette title (has_marks ? marks : '')
 )gp";
 } // namespace swimtwin::gnuplot_scripts

@@ -50,6 +50,11 @@ namespace swimtwin
     return read_scene(file_or_shipped(options.scene, "scenes", ".toml"), options.overrides);
   }
 
+  std::filesystem::path shipped_file(const std::string &place)
+  {
+    return shipped_datasets() / place;
+  }
+
   std::filesystem::path find_model(const std::string &model)
   {
     return file_or_shipped(model, "models", ".h5");

@@ -34,6 +34,8 @@ namespace swimtwin
   /// The scene of the options, with its overrides. Throws InputError.
   Scene load_scene(const CommonOptions &options);
 
+  /// A file that is shipped, by its place in datasets/.
+  std::filesystem::path shipped_file(const std::string &place);
   /// A reduced model by its file, or by the name of a shipped one.
   std::filesystem::path find_model(const std::string &model);
 
