@@ -8,6 +8,7 @@
 #include <datasets/dimensionless_groups.h>
 #include <datasets/error.h>
 #include <datasets/output_folder.h>
+#include <datasets/snapshot_set.h>
 #include <rom/training/training.h>
 
 #include <fmt/format.h>
@@ -131,6 +132,8 @@ namespace swimtwin
       own.command_line  = command.common.command_line;
       own.snapshots     = {command.snapshots.begin(), command.snapshots.end()};
       require_small_inertia(command, scene, own.range);
+      for (const auto &file : own.snapshots)
+        read_snapshots(file); // refused now rather than after the runs
       bool go_on = true;
       if (is_speaker())
         go_on = prepare_folder(command);
@@ -174,6 +177,10 @@ namespace swimtwin
         ->capture_default_str();
     verb->add_option("--samples", own->training.n_samples, "Shapes at which the resistance is computed")
         ->check(CLI::Range(60, 100000))
+        ->capture_default_str();
+    verb->add_option("--steps", own->training.steps_per_period,
+                     "Steps per period of the runs that shapes are taken from")
+        ->check(CLI::Range(20, 10000))
         ->capture_default_str();
     verb->add_option("--held-out", own->training.n_held_out, "Full-order runs kept for comparison")
         ->check(CLI::Range(0, 1000))

@@ -22,7 +22,7 @@ namespace swimtwin
     fs::path file_or_shipped(const std::string &name, const char *folder, const char *extension)
     {
       const fs::path shipped = shipped_datasets() / folder / (name + extension);
-      return !fs::exists(name) && fs::exists(shipped) ? shipped : fs::path(name);
+      return !fs::is_regular_file(name) && fs::exists(shipped) ? shipped : fs::path(name);
     }
   } // namespace
 

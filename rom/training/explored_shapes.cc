@@ -2,7 +2,6 @@
 
 #include <rom/swimmer_integrator.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace swimtwin
@@ -39,34 +38,32 @@ namespace swimtwin
     return members;
   }
 
-  std::vector<ShapePoint> explored_points(const ReducedModel &model, const std::vector<RunParameters> &members,
-                                          const ShapePoint &rest)
+  std::vector<ExploredPoint> explore(const ReducedModel &model, const std::vector<RunParameters> &members,
+                                     const ShapePoint &rest)
   {
     IntegratorOptions options;
     options.relative_tolerance = 1e-5;
-    const ReducedSwimmer    swimmer(model);
-    SwimmerIntegrator       integrator(swimmer, options);
-    std::vector<ShapePoint> points;
+    const ReducedSwimmer       swimmer(model);
+    SwimmerIntegrator          integrator(swimmer, options);
+    std::vector<ExploredPoint> points;
     for (const auto &member : members)
       for (const auto &snapshot : integrator.run(request_of(member, model)).snapshots)
       {
-        points.push_back(rest);
-        points.back().q = snapshot.state.tail(model.n_modes());
+        points.push_back({rest, snapshot.rate});
+        points.back().shape.q = snapshot.state.tail(model.n_modes());
         if (model.resistance.depends_on_angle)
-          points.back().angle_rad = snapshot.state[2];
+          points.back().shape.angle_rad = snapshot.state[2];
+        points.back().velocity.head<2>() =
+            Eigen::Rotation2Dd(-snapshot.state[2]) * Eigen::Vector2d(snapshot.rate.head<2>());
       }
     return points;
   }
 
-  double largest_radius(const std::vector<ShapePoint> &points, const SampledRegion &region)
+  std::vector<ShapePoint> shapes_of(const std::vector<ExploredPoint> &points)
   {
-    double largest = 0.;
+    std::vector<ShapePoint> shapes;
     for (const auto &point : points)
-    {
-      largest = std::max(largest, point.q.cwiseQuotient(region.coordinate_scale_m).norm());
-      if (region.depends_on_angle)
-        largest = std::max(largest, std::abs(point.angle_rad) / region.angle_scale_rad);
-    }
-    return largest;
+      shapes.push_back(point.shape);
+    return shapes;
   }
 } // namespace swimtwin

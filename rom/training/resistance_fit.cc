@@ -1,5 +1,7 @@
 #include <rom/training/resistance_fit.h>
 
+#include <datasets/error.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -125,16 +127,28 @@ namespace swimtwin
       return A;
     }
 
+    /// Below the design matrix: a weight that keeps coefficients small where samples do not tell them, in corners of
+    /// the region where the tail would touch itself.
+    Eigen::MatrixXd with_ridge(const Eigen::MatrixXd &A)
+    {
+      constexpr double ridge = 1e-4;
+      Eigen::MatrixXd  rows(A.rows() + A.cols(), A.cols());
+      rows << A, ridge * std::sqrt(static_cast<double>(A.rows())) * Eigen::MatrixXd::Identity(A.cols(), A.cols());
+      return rows;
+    }
+
     Eigen::MatrixXd fit_coefficients(const Eigen::MatrixXi &exponents, const Table &table)
     {
       const Eigen::MatrixXd A = design(exponents, table.z);
       Eigen::MatrixXd       c = Eigen::MatrixXd::Zero(exponents.rows(), table.entries.cols());
       for (const int odd : {0, 1})
       {
-        const auto features = of_parity(exponents, odd);
-        const auto entries  = entries_of_parity(table.n, odd);
-        c(features, entries) =
-            A(Eigen::all, features).colPivHouseholderQr().solve(table.entries(Eigen::all, entries)).eval();
+        const auto      features = of_parity(exponents, odd);
+        const auto      entries  = entries_of_parity(table.n, odd);
+        Eigen::MatrixXd data     = Eigen::MatrixXd::Zero(A.rows() + static_cast<Eigen::Index>(features.size()),
+                                                         static_cast<Eigen::Index>(entries.size()));
+        data.topRows(A.rows())   = table.entries(Eigen::all, entries);
+        c(features, entries)     = with_ridge(A(Eigen::all, features)).householderQr().solve(data).eval();
       }
       return c;
     }
@@ -190,9 +204,13 @@ namespace swimtwin
         Eigen::MatrixXi set = features_above(bounded, bound);
         if (3 * static_cast<Eigen::Index>(std::max(of_parity(set, 0).size(), of_parity(set, 1).size())) > n_samples)
           break;
+        if (of_parity(set, 1).empty())
+          continue;
         if (sets.empty() || 4 * set.rows() > 5 * sets.back().rows())
           sets.push_back(std::move(set));
       }
+      if (sets.empty())
+        throw ComputationError("there are too few resistance samples for a fit: raise --samples");
       return sets;
     }
 
@@ -229,7 +247,7 @@ namespace swimtwin
     for (const int odd : {0, 1})
     {
       features_[odd]                = of_parity(resistance_.exponents, odd);
-      const Eigen::MatrixXd inverse = inverse_factor(A(Eigen::all, features_[odd]));
+      const Eigen::MatrixXd inverse = inverse_factor(with_ridge(A(Eigen::all, features_[odd])));
       covariance_[odd]              = inverse * inverse.transpose();
     }
     resistance_.coordinate_scale_m = region.coordinate_scale_m;
@@ -282,11 +300,15 @@ namespace swimtwin
     return chosen;
   }
 
-  double ResistanceFit::error_at(const ResistanceSample &sample) const
+  double ResistanceFit::velocity_error_at(const ResistanceSample &sample, const Eigen::VectorXd &velocity) const
   {
+    const Eigen::Index    n = sample.resistance.rows();
     const Eigen::VectorXd fitted =
         resistance_.coefficients.transpose() * monomials(resistance_.exponents, region_.variables(sample.point));
-    return relative_error(fitted, factor_entries(resistance_.factor_at_rest, sample.resistance),
-                          sample.resistance.rows());
+    const Eigen::MatrixXd L = resistance_.factor_at_rest * factor(fitted, n);
+    const Eigen::VectorXd truth =
+        sample.resistance.llt().solve(L * (L.transpose() * velocity)); // under the same forces
+    const Eigen::VectorXd off = truth - velocity;
+    return std::sqrt(off.dot(sample.resistance * off) / truth.dot(sample.resistance * truth));
   }
 } // namespace swimtwin

@@ -42,8 +42,9 @@ namespace swimtwin
     std::vector<ShapePoint> worst_supported(const std::vector<ShapePoint> &candidates, int n) const;
     /// That variance at one point.
     double leverage(const ShapePoint &point) const;
-    /// Largest relative error of the resistance at a sample, for any motion: |R^-1/2 (fitted - R) R^-1/2|.
-    double error_at(const ResistanceSample &sample) const;
+    /// The reduced swimmer moves with this velocity (R^T dx/dt, omega, dq/dt) at the sample's shape: its difference to
+    /// that with the sample's resistance under the same forces, relative in the norm of the resistance.
+    double velocity_error_at(const ResistanceSample &sample, const Eigen::VectorXd &velocity) const;
 
   private:
     SampledRegion                   region_;

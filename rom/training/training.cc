@@ -134,7 +134,7 @@ namespace swimtwin
         constexpr int n_rounds = 3;
         for (int round = 0; round < n_rounds; ++round)
         {
-          const auto candidates = explored_points(model_, spread_members(options_.range, 40, 1 + 40 * round), rest_);
+          const auto candidates = shapes_of(explore(model_, spread_members(options_.range, 40, 1 + 40 * round), rest_));
           for (const auto &point : fit_->worst_supported(candidates, third / n_rounds))
             points.push_back(point);
           fit(sampler, points);
@@ -152,20 +152,22 @@ namespace swimtwin
       /// Shapes of the reduced swimmer's own runs that no sample is near to.
       void hold_out_samples(ShapeSampler &sampler)
       {
-        constexpr int           n      = 60;
-        const auto              points = explored_points(model_, spread_members(options_.range, n, 1000), rest_);
-        std::vector<ShapePoint> chosen;
+        constexpr std::size_t      n      = 60;
+        const auto                 points = explore(model_, spread_members(options_.range, n, 1000), rest_);
+        std::vector<ExploredPoint> chosen;
         for (std::size_t k = 0; k < n; ++k)
-          chosen.push_back(points[k * points.size() / n + k % 7]);
+          chosen.push_back(points[k * points.size() / n + 1 + k % 7]); // moving, at all phases
+        sampler.sample(shapes_of(chosen)); // all ranks together; from the store below
         double sum = 0.;
         auto  &r   = model_.record;
-        for (const auto &sample : sampler.sample(chosen))
-        {
-          const double error   = fit_->error_at(sample);
-          r.velocity_error_max = std::max(r.velocity_error_max, error);
-          sum += error * error;
-          ++r.n_held_out_samples;
-        }
+        for (const auto &point : chosen)
+          for (const auto &sample : sampler.sample({point.shape}))
+          {
+            const double error   = fit_->velocity_error_at(sample, point.velocity);
+            r.velocity_error_max = std::max(r.velocity_error_max, error);
+            sum += error * error;
+            ++r.n_held_out_samples;
+          }
         r.velocity_error_rms = std::sqrt(sum / std::max(1, r.n_held_out_samples));
       }
 

@@ -93,6 +93,7 @@ namespace swimtwin
         SimulationOptions simulation;
         simulation.folder       = folders.back();
         simulation.command_line = options.command_line;
+        simulation.resume       = true;
         simulate(member, simulation, MPI_COMM_SELF);
       }
       if (options.on_progress)

@@ -46,6 +46,8 @@ namespace swimtwin
                                                       {"plan", "--help"},
                                                       {"simulate", "--help"},
                                                       {"resistance", "--help"},
+                                                      {"train", "--help"},
+                                                      {"sweep", "--help"},
                                                       {"demo", "--help"}})
     {
       const Outcome outcome = run_tool(arguments);

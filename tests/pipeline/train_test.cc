@@ -1,0 +1,71 @@
+#include <tests/pipeline/simulation.h>
+
+#include <datasets/csv_table.h>
+#include <datasets/reduced_model.h>
+
+namespace swimtwin
+{
+  namespace
+  {
+    /// A coarse swimmer, few shapes: half a minute on one core.
+    std::vector<std::string> train_arguments(const std::filesystem::path    &folder,
+                                             const std::vector<std::string> &more = {})
+    {
+      std::vector<std::string> arguments{"train"};
+      const auto               scene = ShrunkScene{"open-2d"}.with(
+                        {"numerics.mesh_size_m=8e-4", "numerics.mesh_size_corner_m=3e-4", "numerics.mesh_growth=0.6"});
+      for (const auto &part :
+           {scene.arguments(),
+            {"--young-modulus", "8e4:2e5", "--frequency", "0.5:1.5", "--magnetization", "2e5", "--modes", "2",
+             "--followers", "3", "--samples", "90", "--held-out", "1", "--steps", "20", "--output", folder.string()},
+            more})
+        arguments.insert(arguments.end(), part.begin(), part.end());
+      return arguments;
+    }
+  } // namespace
+
+  // Killed while it samples, gone on with, then swept: close to the full-order model even with two modes.
+  TEST(Train, LeavesAModelThatSweepsAndGoesOnAfterAnInterruption)
+  {
+    const TemporaryFolder folder;
+    const auto            results = folder.path / "model";
+    ChildProcess          interrupted(tool(train_arguments(results)));
+    ASSERT_TRUE(interrupted.wait_for_file(results / "samples.h5"));
+    EXPECT_TRUE(interrupted.kill());
+    EXPECT_FALSE(std::filesystem::exists(results / "model.h5"));
+    expect_failure(run_tool(train_arguments(results)), 2, {"interrupted", "--resume", "--force"});
+
+    const Outcome trained = run_tool(train_arguments(results, {"--resume"}));
+    ASSERT_EQ(trained.exit_code, 0) << trained.err;
+    const ReducedModel model = read_reduced_model(results / "model.h5");
+    EXPECT_EQ(model.n_modes(), 2);
+    EXPECT_FALSE(model.resistance.depends_on_angle); // the domain moves with the swimmer
+    ASSERT_EQ(model.record.held_out_runs.size(), 1u);
+    const HeldOutRun &run = model.record.held_out_runs.front();
+    EXPECT_NEAR(run.reduced_displacement_m, run.displacement_m, .05 * run.displacement_m);
+    EXPECT_NE(content(results / "model-card.txt").find("neglects"), std::string::npos);
+
+    const Outcome swept = run_tool({"sweep", (results / "model.h5").string(), "--frequency", "0.5:1.5:5", "--output",
+                                    (folder.path / "sweep").string()});
+    ASSERT_EQ(swept.exit_code, 0) << swept.err;
+    EXPECT_EQ(CsvTable::read(folder.path / "sweep" / "displacement_frequency.csv").n_rows(), 5u);
+    expect_failure(run_tool(train_arguments(results)), 2, {"model.h5", "--force"});
+  }
+
+  TEST(Train, RefusesWhatTheReducedSwimmerCannotBe)
+  {
+    const auto refuse = [](const std::vector<std::string> &arguments, const std::vector<std::string> &parts) {
+      std::vector<std::string> all{"train"};
+      all.insert(all.end(), arguments.begin(), arguments.end());
+      all.insert(all.end(), {"--output", "unused"});
+      expect_failure(run_tool(all), 2, parts);
+    };
+    refuse({"rigid-swimmer"}, {"cannot be trained", "[tail]"});
+    refuse({"open-2d", "--set", "tail.law=\"neo-hookean\""}, {"st-venant-kirchhoff"});
+    refuse({"open-2d", "--frequency", "0.1:30"}, {"unsteady group", "--allow-inertia"});
+    refuse({"open-2d", "--young-modulus", "-1:2"}, {"--young-modulus"});
+    refuse({"open-2d", "--young-modulus", "soft"}, {"--young-modulus"});
+    refuse({"open-2d", "--snapshots", "nothing.h5"}, {"nothing.h5"});
+    EXPECT_FALSE(std::filesystem::exists("unused"));
+  }
+} // namespace swimtwin
