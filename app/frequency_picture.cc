@@ -56,13 +56,14 @@ namespace swimtwin
         picture.table.add_row({1., 0., 0.});
     }
 
-    /// Symbols on every point of a short curve, and on some of a long one.
-    double symbol_interval(const std::vector<FrequencyCurve> &curves)
+    /// Symbols on every point of a short curve, on some of a long one, and hardly any where marks are to be seen.
+    double symbol_interval(const std::vector<FrequencyCurve> &curves, const FrequencyMarks &marks)
     {
       std::size_t longest = 1;
       for (const FrequencyCurve &curve : curves)
         longest = std::max(longest, curve.points.size());
-      return std::max(1., std::floor(static_cast<double>(longest) / 12.));
+      const double n_symbols = marks.curves.empty() ? 12. : 1.;
+      return std::max(1., std::floor(static_cast<double>(longest) / n_symbols));
     }
   } // namespace
 
@@ -75,7 +76,7 @@ namespace swimtwin
     picture.set_text("heading", "Displacement per period against frequency");
     picture.set_text("caption", fmt::format("{}: {}", sweep, finding(farthest(curves))));
     set_frequency_axis(picture, curves);
-    picture.set("every", symbol_interval(curves));
+    picture.set("every", symbol_interval(curves, marks));
     picture.set("n_curves", static_cast<double>(curves.size()));
     for (std::size_t k = 0; k < curves.size(); ++k)
     {

@@ -1,6 +1,7 @@
 #include <rom/training/training.h>
 
 #include <datasets/dimensionless_groups.h>
+#include <datasets/error.h>
 #include <datasets/provenance.h>
 #include <fom/cpu_time.h>
 #include <fom/run_recorder.h>
@@ -116,8 +117,12 @@ namespace swimtwin
 
       void sample_resistance(ShapeSampler &sampler)
       {
-        const auto                   axis    = axis_points(region_, rest_);
-        const auto                   at_axis = sampler.sample(axis);
+        const auto axis    = axis_points(region_, rest_);
+        const auto at_axis = sampler.sample(axis);
+        if (at_axis.size() != axis.size())
+          throw ComputationError(
+              "the tail touches itself or a wall at the edge of the region of shapes: narrow the range "
+              "(a stiffer tail, a weaker field) or lower --modes");
         std::vector<Eigen::MatrixXd> edge;
         for (std::size_t k = 1; k < at_axis.size(); ++k)
           edge.push_back(at_axis[k].resistance);
@@ -157,7 +162,7 @@ namespace swimtwin
         std::vector<ExploredPoint> chosen;
         for (std::size_t k = 0; k < n; ++k)
           chosen.push_back(points[k * points.size() / n + 1 + k % 7]); // moving, at all phases
-        sampler.sample(shapes_of(chosen)); // all ranks together; from the store below
+        sampler.sample(shapes_of(chosen));                             // all ranks together; from the store below
         double sum = 0.;
         auto  &r   = model_.record;
         for (const auto &point : chosen)

@@ -1,0 +1,21 @@
+// The monomials that a fit of the resistance may use. A set is a matrix of exponents, one monomial per row.
+#pragma once
+
+#include <Eigen/Dense>
+
+#include <vector>
+
+namespace swimtwin
+{
+  Eigen::VectorXd monomials(const Eigen::MatrixXi &exponents, const Eigen::VectorXd &z);
+  /// Their values at many points, one row each.
+  Eigen::MatrixXd design(const Eigen::MatrixXi &exponents, const Eigen::MatrixXd &z);
+
+  /// Rows of one parity. Every variable is odd, so the parity of a monomial is that of its degree.
+  std::vector<int> of_parity(const Eigen::MatrixXi &exponents, int odd);
+
+  /// Sets to choose from, each larger by a quarter or more than the one before, up to a third of the samples per
+  /// parity: all monomials for which the product of the variables' effects exceeds a bound. Throws ComputationError if
+  /// there are too few samples for any.
+  std::vector<Eigen::MatrixXi> feature_sets(const Eigen::VectorXd &effects, Eigen::Index n_samples);
+} // namespace swimtwin
