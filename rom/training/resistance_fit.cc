@@ -64,15 +64,6 @@ namespace swimtwin
       return columns;
     }
 
-    /// Samples as tables: one row each.
-    struct Table
-    {
-      Eigen::MatrixXd z, entries;
-      Eigen::Index    n; ///< size of the resistance
-
-      Table rows(const std::vector<int> &which) const { return {z(which, Eigen::all), entries(which, Eigen::all), n}; }
-    };
-
     /// Below the design matrix: a weight that keeps coefficients small where samples do not tell them, in corners of
     /// the region where the tail would touch itself.
     Eigen::MatrixXd with_ridge(const Eigen::MatrixXd &A)
@@ -83,7 +74,7 @@ namespace swimtwin
       return rows;
     }
 
-    Eigen::MatrixXd fit_coefficients(const Eigen::MatrixXi &exponents, const Table &table)
+    Eigen::MatrixXd fit_coefficients(const Eigen::MatrixXi &exponents, const SampleTable &table)
     {
       const Eigen::MatrixXd A = design(exponents, table.z);
       Eigen::MatrixXd       c = Eigen::MatrixXd::Zero(exponents.rows(), table.entries.cols());
@@ -115,7 +106,7 @@ namespace swimtwin
       return (D * D.transpose() - Eigen::MatrixXd::Identity(n, n)).operatorNorm();
     }
 
-    FitQuality cross_validate(const Eigen::MatrixXi &exponents, const Table &table)
+    FitQuality cross_validate(const Eigen::MatrixXi &exponents, const SampleTable &table)
     {
       constexpr int       n_folds = 5;
       FitQuality          quality{0., 0., static_cast<int>(exponents.rows())};
@@ -125,7 +116,7 @@ namespace swimtwin
         std::vector<int> kept, held;
         for (int k = 0; k < table.z.rows(); ++k)
           (k > 0 && k % n_folds == fold ? held : kept).push_back(k); // rest is always kept
-        const Table           test   = table.rows(held);
+        const SampleTable     test   = table.rows(held);
         const Eigen::MatrixXd fitted = design(exponents, test.z) * fit_coefficients(exponents, table.rows(kept));
         for (Eigen::Index k = 0; k < fitted.rows(); ++k)
           errors.push_back(relative_error(fitted.row(k).transpose(), test.entries.row(k).transpose(), table.n));
@@ -153,21 +144,15 @@ namespace swimtwin
   {
     const Eigen::Index n       = samples.front().resistance.rows();
     resistance_.factor_at_rest = factor_at_rest(samples.front().resistance);
-    Table table{Eigen::MatrixXd(samples.size(), region.n_variables()), Eigen::MatrixXd(samples.size(), n * (n + 1) / 2),
-                n};
+    SampleTable table{Eigen::MatrixXd(samples.size(), region.n_variables()),
+                      Eigen::MatrixXd(samples.size(), n * (n + 1) / 2), n};
     for (std::size_t k = 0; k < samples.size(); ++k)
     {
       table.z.row(k)       = region.variables(samples[k].point).transpose();
       table.entries.row(k) = factor_entries(resistance_.factor_at_rest, samples[k].resistance).transpose();
     }
 
-    quality_.rms = std::numeric_limits<double>::infinity();
-    for (const auto &set : feature_sets(effects, table.z.rows()))
-      if (const FitQuality quality = cross_validate(set, table); quality.rms < .97 * quality_.rms)
-      {
-        quality_              = quality;
-        resistance_.exponents = set;
-      }
+    choose_features(feature_sets(effects, table.z.rows()), table);
     const Eigen::MatrixXd A = design(resistance_.exponents, table.z);
     for (const int odd : {0, 1})
     {
@@ -179,6 +164,24 @@ namespace swimtwin
     resistance_.depends_on_angle   = region.depends_on_angle;
     resistance_.angle_scale_rad    = region.angle_scale_rad;
     resistance_.coefficients       = fit_coefficients(resistance_.exponents, table);
+  }
+
+  void ResistanceFit::choose_features(const std::vector<Eigen::MatrixXi> &sets, const SampleTable &table)
+  {
+    // The smallest set that is nearly as good as the best: every monomial is paid for at each step in time.
+    constexpr double        nearly = 1.5;
+    std::vector<FitQuality> qualities;
+    double                  best = std::numeric_limits<double>::infinity();
+    for (const auto &set : sets)
+    {
+      qualities.push_back(cross_validate(set, table));
+      best = std::min(best, qualities.back().rms);
+    }
+    std::size_t chosen = 0;
+    while (qualities[chosen].rms > nearly * best)
+      ++chosen;
+    quality_              = qualities[chosen];
+    resistance_.exponents = sets[chosen];
   }
 
   double ResistanceFit::leverage(const ShapePoint &point) const

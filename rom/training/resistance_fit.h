@@ -25,6 +25,18 @@ namespace swimtwin
     int    n_features = 0;
   };
 
+  /// Samples as a table, one row each: variables, entries of C.
+  struct SampleTable
+  {
+    Eigen::MatrixXd z, entries;
+    Eigen::Index    n; ///< size of the resistance
+
+    SampleTable rows(const std::vector<int> &which) const
+    {
+      return {z(which, Eigen::all), entries(which, Eigen::all), n};
+    }
+  };
+
   /// Which monomials matter is told by `effects`: how much each variable at the region's edge changes the scaled
   /// factor. Their products, raised to the powers of a monomial, must exceed a bound; the bound is chosen by
   /// cross-validation. The first sample is that at rest. All bending coordinates are odd.
@@ -47,6 +59,8 @@ namespace swimtwin
     double velocity_error_at(const ResistanceSample &sample, const Eigen::VectorXd &velocity) const;
 
   private:
+    void choose_features(const std::vector<Eigen::MatrixXi> &sets, const SampleTable &table);
+
     SampledRegion                   region_;
     ReducedResistance               resistance_;
     FitQuality                      quality_;
