@@ -43,12 +43,8 @@ namespace swimtwin
     /// The reduced swimmer's curve of displacement against frequency, with the full-order model's points on it.
     void sweep_and_draw(const Scene &scene, const CommonOptions &common)
     {
-      const ReducedModel   model = read_reduced_model(find_model("reference-2d"));
-      const ReducedSwimmer swimmer(model);
-      SweepOptions         options;
-      options.base.parameters    = swimmer_parameters(scene);
-      options.base.drive         = make_drive(scene.field);
-      options.base.initial_state = state_at_rest(swimmer, scene.head.angle_rad);
+      const ReducedModel model   = read_reduced_model(find_model("reference-2d"));
+      SweepOptions       options = sweep_options(scene, model);
       options.periodic = options.indicator   = false;
       const auto                     start   = std::chrono::steady_clock::now();
       const std::vector<SweepResult> results = sweep(model, axes_of_curve(), options);

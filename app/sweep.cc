@@ -136,14 +136,9 @@ namespace swimtwin
 
     SweepOptions options_of(const SweepCommand &command, const Scene &scene, const ReducedModel &model)
     {
-      SweepOptions options;
-      options.base.parameters       = swimmer_parameters(scene);
-      options.base.drive            = make_drive(scene.field);
-      options.base.initial_state    = SwimmerState::Zero(model.n_modes() + 3);
-      options.base.initial_state[2] = scene.head.angle_rad;
-      options.heading_rad           = scene.head.angle_rad;
-      options.relative_tolerance    = command.relative_tolerance;
-      options.n_threads             = command.n_threads;
+      SweepOptions options       = sweep_options(scene, model);
+      options.relative_tolerance = command.relative_tolerance;
+      options.n_threads          = command.n_threads;
       return options;
     }
 

@@ -179,6 +179,17 @@ namespace swimtwin
            count(frequency_Hz);
   }
 
+  SweepOptions sweep_options(const Scene &scene, const ReducedModel &model)
+  {
+    SweepOptions options;
+    options.base.parameters       = swimmer_parameters(scene);
+    options.base.drive            = make_drive(scene.field);
+    options.base.initial_state    = SwimmerState::Zero(model.n_modes() + 3);
+    options.base.initial_state[2] = scene.head.angle_rad;
+    options.heading_rad           = scene.head.angle_rad;
+    return options;
+  }
+
   std::vector<SweepResult> sweep(const ReducedModel &model, const SweepAxes &axes, const SweepOptions &options)
   {
     if (!is_sinusoidal(options.base.drive) && !(axes.bx_T.empty() && axes.by_T.empty()))

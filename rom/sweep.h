@@ -29,6 +29,10 @@ namespace swimtwin
     std::function<void(std::size_t n_done)> on_progress = {}; ///< called by any of the threads, one at a time
   };
 
+  /// Sweeps around a scene's own run: its parameters, field, rest and heading. Throws InputError for a scene that a
+  /// reduced swimmer cannot repeat.
+  SweepOptions sweep_options(const Scene &scene, const ReducedModel &model);
+
   struct SweepMember
   {
     SwimmerParameters parameters;

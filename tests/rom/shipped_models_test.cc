@@ -103,11 +103,7 @@ namespace swimtwin
 
     double predicted(const ReducedModel &model, const FullOrderPoint &point)
     {
-      const Scene  scene = parse_scene(model.scene_text, model.scene_name);
-      SweepOptions options;
-      options.base.parameters    = swimmer_parameters(scene);
-      options.base.drive         = make_drive(scene.field);
-      options.base.initial_state = SwimmerState::Zero(model.n_modes() + 3);
+      SweepOptions options = sweep_options(parse_scene(model.scene_text, model.scene_name), model);
       options.periodic = options.indicator = false;
       return sweep(model, {{point.young_modulus_Pa}, {}, {point.magnetization_A_m}, {}, {}, {point.frequency_Hz}},
                    options)
