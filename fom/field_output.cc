@@ -107,13 +107,18 @@ namespace swimtwin
     }
   }
 
-  void FieldOutput::write(const FullOrderModel<2> &model, const unsigned int index)
+  FieldInstant instant_of(const FullOrderModel<2> &model)
+  {
+    return {model.now().time_s, model.swimmer(), model.now().configuration, model.fluid(),
+            model.coupling().fluid_values()};
+  }
+
+  void FieldOutput::write(const FieldInstant &instant, const unsigned int index)
   {
     const std::string number = file_number(index);
-    const double      time   = model.now().time_s;
-    if (const auto values = model.coupling().fluid_values(); !values.empty())
+    if (const auto &values = instant.fluid_values; !values.empty())
     {
-      const FluidDomain<2> &fluid     = *model.fluid();
+      const FluidDomain<2> &fluid     = *instant.fluid;
       const auto           &numbering = fluid.numbering();
       const std::string     file      = "fluid-" + number + ".vtu";
       write_vtu(
@@ -124,16 +129,16 @@ namespace swimtwin
            },
            "pressure_Pa",
            [&](const int vertex) { return fluid.pressure_scale() * values[numbering.pressure_index(vertex)]; }});
-      write_series("fluid", fluid_series_, file, time);
+      write_series("fluid", fluid_series_, file, instant.time_s);
     }
-    if (model.swimmer().has_tail())
+    if (instant.swimmer.has_tail())
     {
-      const auto        x    = model.swimmer().tail_positions(model.now().configuration);
-      const auto        rest = model.swimmer().tail_positions(model.swimmer().configuration_at_rest());
+      const auto        x    = instant.swimmer.tail_positions(instant.configuration);
+      const auto        rest = instant.swimmer.tail_positions(instant.swimmer.configuration_at_rest());
       const std::string file = "tail-" + number + ".vtu";
-      write_vtu(folder_ / file, model.swimmer().tail().mesh, x,
+      write_vtu(folder_ / file, instant.swimmer.tail().mesh, x,
                 {"displacement_m", [&](const int node) { return x[node] - rest[node]; }, "", {}});
-      write_series("tail", tail_series_, file, time);
+      write_series("tail", tail_series_, file, instant.time_s);
     }
   }
 } // namespace swimtwin

@@ -7,6 +7,19 @@
 
 namespace swimtwin
 {
+  /// What there is to see at one instant. All but the swimmer's own may be missing.
+  struct FieldInstant
+  {
+    double                  time_s = 0.;
+    const Swimmer<2>       &swimmer;
+    const Configuration<2> &configuration;
+    const FluidDomain<2>   *fluid        = nullptr;
+    std::vector<double>     fluid_values = {}; ///< of the fluid's rows; empty: the fluid is left out
+  };
+
+  /// The model's present instant. Without the fluid at the start, before anything was solved.
+  FieldInstant instant_of(const FullOrderModel<2> &model);
+
   /// Writes fluid-NNNN.vtu (velocity_m_s, pressure_Pa) and tail-NNNN.vtu (displacement_m in the laboratory) with
   /// quadratic cells into a folder, and fluid.pvd, tail.pvd that name them with their times.
   class FieldOutput
@@ -14,9 +27,8 @@ namespace swimtwin
   public:
     explicit FieldOutput(std::filesystem::path folder);
 
-    /// Instant number `index`; one rank can do it without the others. The fluid is left out at the start, before
-    /// anything was solved.
-    void write(const FullOrderModel<2> &model, unsigned int index);
+    /// Instant number `index`; one rank can do it without the others.
+    void write(const FieldInstant &instant, unsigned int index);
 
     /// After a resume: the instants before `n_instants`, `interval_s` apart, are there already; what an interrupted run
     /// wrote after them is removed.

@@ -46,6 +46,26 @@ namespace swimtwin
     }
 
     template <int dim>
+    SurfaceVelocity<dim> surface_velocity(const Swimmer<dim> &swimmer, const Configuration<dim> &configuration,
+                                          const Rates<dim> &rates)
+    {
+      const Tensor<2, dim> R = configuration.pose.rotation();
+      SurfaceVelocity<dim> motion(swimmer.n_surface_nodes());
+      for (unsigned int k = 0; k < motion.size(); ++k)
+      {
+        const int      node = swimmer.tail_node(k);
+        Tensor<1, dim> X    = swimmer.surface_at_rest(k), deforming;
+        if (node >= 0)
+        {
+          X += configuration.shape[node];
+          deforming = rates.shape_rate[node];
+        }
+        motion[k] = rates.velocity + R * (rotational_velocity<dim>(rates.omega, X) + deforming);
+      }
+      return motion;
+    }
+
+    template <int dim>
     MotionMap<dim> held_surface(const FluidDomain<dim> &fluid, const bool closed, const MPI_Comm communicator)
     {
       MotionMap<dim> map(fluid.n_rows(), 0, 1.);
@@ -100,6 +120,15 @@ namespace swimtwin
           responses.push_back({fluid_.force_on_fluid_at_surface(values(motions[j], &columns[j])),
                                -std::inner_product(columns[j].begin(), columns[j].end(), load_of_source_.begin(), 0.)});
         return responses;
+      }
+
+      /// Values of the fluid's rows in one motion.
+      std::vector<double> flow(const SurfaceVelocity<dim> &motion, const double area_rate)
+      {
+        std::vector<std::vector<double>> columns = {load(motion, area_rate)};
+        if (!solver_.solve_together(columns))
+          throw ComputationError("the flow around the body could not be solved: change [numerics] mesh_size_m");
+        return values(motion, &columns.front());
       }
 
     private:
@@ -197,10 +226,22 @@ namespace swimtwin
     return compute_motion_resistance(swimmer, fluid, configuration, modes);
   }
 
+  template <int dim>
+  std::vector<double> compute_flow(const Swimmer<dim> &swimmer, const FluidDomain<dim> &fluid,
+                                   const Configuration<dim> &configuration, const Rates<dim> &rates)
+  {
+    const bool          closed = !swimmer.scene().domain->has_traction_free_wall();
+    SurfaceProblem<dim> problem(fluid, closed);
+    return problem.flow(surface_velocity(swimmer, configuration, rates),
+                        swimmer.has_tail() ? swimmer.area_rate(configuration, rates) : 0.);
+  }
+
   template struct MotionResistance<2>;
   template MotionResistance<2> compute_motion_resistance<2>(const Swimmer<2> &, const FluidDomain<2> &,
                                                             const Configuration<2> &,
                                                             const std::vector<NodalField<2>> &);
   template MotionResistance<2> compute_motion_resistance<2>(const Swimmer<2> &, const Configuration<2> &,
                                                             const std::vector<NodalField<2>> &, MPI_Comm);
+  template std::vector<double> compute_flow<2>(const Swimmer<2> &, const FluidDomain<2> &, const Configuration<2> &,
+                                               const Rates<2> &);
 } // namespace swimtwin

@@ -30,4 +30,10 @@ namespace swimtwin
   template <int dim>
   MotionResistance<dim> compute_motion_resistance(const Swimmer<dim> &swimmer, const Configuration<dim> &configuration,
                                                   const std::vector<NodalField<dim>> &modes, MPI_Comm communicator);
+
+  /// The flow around a body that moves at these rates, on the fluid's mesh as it is: values of the fluid's rows
+  /// (velocities, scaled pressures; those of a closed domain with any level). Collective; throws ComputationError.
+  template <int dim>
+  std::vector<double> compute_flow(const Swimmer<dim> &swimmer, const FluidDomain<dim> &fluid,
+                                   const Configuration<dim> &configuration, const Rates<dim> &rates);
 } // namespace swimtwin

@@ -82,7 +82,7 @@ namespace swimtwin
       {
         recorder_.note(model_, grid_step);
         if (fields_ && grid_step % field_interval() == 0)
-          fields_->write(model_, grid_step / field_interval());
+          fields_->write(instant_of(model_), grid_step / field_interval());
       }
 
       void advance_or_explain()

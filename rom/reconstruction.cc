@@ -87,6 +87,11 @@ namespace swimtwin
     return tail.modes * ShapeAmplitudes(tail).value(q);
   }
 
+  Eigen::VectorXd tail_velocity(const ReducedTail &tail, const ShapeVector &q, const ShapeVector &rate)
+  {
+    return tail.modes * (ShapeAmplitudes(tail).slopes(q) * rate);
+  }
+
   Eigen::MatrixXd tail_positions(const ReducedTail &tail, const SwimmerState &state)
   {
     const Eigen::VectorXd d = tail_displacement(tail, state.tail(tail.modes.cols()));
@@ -115,7 +120,7 @@ namespace swimtwin
       const auto &[phase, state, rate] = snapshots[static_cast<std::size_t>(i)];
       set.time_s.push_back(phase / drive.frequency_Hz);
       set.tail_displacement_m.row(i) = tail_displacement(tail, state.tail(r));
-      set.tail_velocity_m_s.row(i)   = tail_displacement(tail, rate.tail(r));
+      set.tail_velocity_m_s.row(i)   = tail_velocity(tail, state.tail(r), rate.tail(r));
       set.pose.row(i)                = state.head<3>();
       set.field_T.row(i).head<2>()   = drive.field->value_T(phase, drive.parameters);
     }

@@ -12,6 +12,9 @@ namespace swimtwin
   /// Displacement (m) of the tail's nodes in the head's frame, interleaved components.
   Eigen::VectorXd tail_displacement(const ReducedTail &tail, const ShapeVector &q);
 
+  /// Its rate (m/s) when the coordinates change at the given rate: followers move as the shape says.
+  Eigen::VectorXd tail_velocity(const ReducedTail &tail, const ShapeVector &q, const ShapeVector &rate);
+
   /// Positions (m) of the tail's nodes in the laboratory, n_nodes x 2.
   Eigen::MatrixXd tail_positions(const ReducedTail &tail, const SwimmerState &state);
 

@@ -30,15 +30,10 @@ namespace swimtwin
 
     SweepResult predict(const ReducedModel &model, const Scene &scene, const RunParameters &p)
     {
-      SweepOptions options;
-      options.base.parameters = swimmer_parameters(scene);
-      options.base.drive      = {std::make_shared<SinusoidalField>(), Eigen::Vector2d(p.bx_T, p.by_T), p.frequency_Hz};
-      options.base.initial_state    = SwimmerState::Zero(model.n_modes() + 3);
-      options.base.initial_state[2] = scene.head.angle_rad;
-      options.heading_rad           = scene.head.angle_rad;
-      options.n_periods             = n_periods;
-      options.periodic              = false;
-      options.n_threads             = 1;
+      SweepOptions options = sweep_options(scene, model);
+      options.n_periods    = n_periods;
+      options.periodic     = false;
+      options.n_threads    = 1;
       return sweep(model,
                    {{p.young_modulus_Pa},
                     {p.viscosity_Pa_s},

@@ -1,4 +1,5 @@
 #include <rom/training/pose_dependence.h>
+#include <rom/training/resistance_fit.h>
 
 #include <algorithm>
 
@@ -8,10 +9,7 @@ namespace swimtwin
   {
     double relative_change(const Eigen::MatrixXd &from, const Eigen::MatrixXd &to)
     {
-      const Eigen::MatrixXd L      = from.llt().matrixL();
-      const Eigen::MatrixXd half   = L.triangularView<Eigen::Lower>().solve(to - from);
-      const Eigen::MatrixXd scaled = L.triangularView<Eigen::Lower>().solve(half.transpose());
-      return scaled.operatorNorm();
+      return seen_from(from.llt().matrixL(), to - from).operatorNorm();
     }
   } // namespace
 

@@ -29,10 +29,15 @@ namespace swimtwin
     return symmetric.llt().matrixL();
   }
 
+  Eigen::MatrixXd seen_from(const Eigen::MatrixXd &L, const Eigen::MatrixXd &A)
+  {
+    const Eigen::MatrixXd half = L.triangularView<Eigen::Lower>().solve(A);
+    return L.triangularView<Eigen::Lower>().solve(half.transpose()).transpose();
+  }
+
   Eigen::VectorXd factor_entries(const Eigen::MatrixXd &L0, const Eigen::MatrixXd &resistance)
   {
-    const Eigen::MatrixXd half   = L0.triangularView<Eigen::Lower>().solve(resistance);
-    const Eigen::MatrixXd scaled = L0.triangularView<Eigen::Lower>().solve(half.transpose());
+    const Eigen::MatrixXd scaled = seen_from(L0, resistance);
     const Eigen::MatrixXd C      = ((scaled + scaled.transpose()) / 2.).llt().matrixL();
     const Eigen::Index    n      = C.rows();
     Eigen::VectorXd       entries(n * (n + 1) / 2);

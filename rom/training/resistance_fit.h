@@ -78,6 +78,9 @@ namespace swimtwin
   /// Entries of C (row by row, j <= i, diagonal as logarithm) of a resistance: L_0 C C^T L_0^T.
   Eigen::VectorXd factor_entries(const Eigen::MatrixXd &factor_at_rest, const Eigen::MatrixXd &resistance);
 
+  /// L^-1 A L^-T: the symmetric A in the coordinates where L L^T is the identity.
+  Eigen::MatrixXd seen_from(const Eigen::MatrixXd &L, const Eigen::MatrixXd &A);
+
   /// Parity under the mirror of generalised velocity i: +1 along the axis, -1 across, turning and bending.
   constexpr int velocity_parity(const int i)
   {

@@ -44,6 +44,9 @@ namespace swimtwin
     require(scene, scene.field.waveform() == FieldProgram::Waveform::sinusoidal,
             "[field] is not the sinusoid bx_T, by_T, frequency_Hz that training runs are made with",
             "give these three; the trained model then takes any field");
+    require(scene, scene.field.ramp_s == 0.,
+            "[field] ramp_s makes the field differ from period to period, which no run of a reduced swimmer repeats",
+            "take it out");
   }
 
   TrainedRange default_range(const Scene &scene)

@@ -3,6 +3,7 @@
 #include <datasets/error.h>
 #include <datasets/hdf5_file.h>
 #include <datasets/provenance.h>
+#include <tests/app/tool_in_process.h>
 #include <tests/datasets/temporary_folder.h>
 #include <tests/rom/example_model.h>
 
@@ -12,27 +13,9 @@ namespace swimtwin
 {
   namespace
   {
-    struct Outcome
+    Outcome tool(const std::vector<std::string> &arguments)
     {
-      int         code = -1;
-      std::string output, errors;
-    };
-
-    /// The tool with the sweep and report verbs, in this process.
-    Outcome tool(std::vector<std::string> arguments)
-    {
-      arguments.insert(arguments.begin(), "swimtwin");
-      std::vector<char *> argv;
-      for (std::string &argument : arguments)
-        argv.push_back(argument.data());
-      testing::internal::CaptureStdout();
-      testing::internal::CaptureStderr();
-      Outcome outcome;
-      outcome.code =
-          run_tool(static_cast<int>(argv.size()), argv.data(), {{"sweep", add_sweep}, {"report", add_report}});
-      outcome.output = testing::internal::GetCapturedStdout();
-      outcome.errors = testing::internal::GetCapturedStderr();
-      return outcome;
+      return run_in_process(arguments, {{"sweep", add_sweep}, {"report", add_report}});
     }
 
     class SweepVerb : public ::testing::Test

@@ -110,6 +110,32 @@ namespace swimtwin
     EXPECT_NEAR(velocity(2), expected[2], 1e-9 * std::abs(expected[2]));
   }
 
+  // Power balance of a reconstructed flow: what it dissipates is what the resistance says, and it sticks to the body.
+  TEST_F(MotionResistanceTest, FlowDissipatesWhatTheResistanceSays)
+  {
+    const FluidDomain<2> fluid(scene,
+                               make_fluid_mesh(*scene.domain, swimmer.surface(configuration),
+                                               swimmer.surface_mesh_size(), configuration.pose, swimmer.pose_at_rest(),
+                                               scene.numerics, MPI_COMM_WORLD),
+                               configuration.pose);
+    const Tensor<1, 3>   xi({2e-4, -1e-4, 0.3}); // in the head's frame
+    Rates<2>             rates;
+    rates.velocity   = configuration.pose.rotation() * Tensor<1, 2>({xi[0], xi[1]});
+    rates.omega[0]   = xi[2];
+    rates.shape_rate = bending(0.1);
+    const auto flow  = compute_flow(swimmer, fluid, configuration, rates);
+    const auto R     = compute_motion_resistance(swimmer, fluid, configuration, {bending(0.1)}).matrix;
+    double     power = 0.;
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 4; ++j)
+        power += (i < 3 ? xi[i] : 1.) * R(i, j) * (j < 3 ? xi[j] : 1.);
+    EXPECT_NEAR(fluid.react(flow).dissipation, power, 1e-9 * power);
+    const auto tail_velocity = swimmer.tail_velocities(configuration, rates);
+    for (unsigned int k = 0; k < swimmer.n_surface_nodes(); ++k)
+      for (int c = 0; c < 2 && swimmer.tail_node(k) >= 0; ++c)
+        EXPECT_NEAR(flow[fluid.surface_row(k, c)], tail_velocity[swimmer.tail_node(k)][c], 1e-15);
+  }
+
   // Where walls close the domain, a growing body's area goes into the fluid: the problem stays solvable and symmetric.
   TEST_F(MotionResistanceTest, AClosedDomainTakesUpAGrowingBody)
   {

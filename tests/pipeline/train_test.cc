@@ -62,6 +62,7 @@ namespace swimtwin
     };
     refuse({"rigid-swimmer"}, {"cannot be trained", "[tail]"});
     refuse({"open-2d", "--set", "tail.law=\"neo-hookean\""}, {"st-venant-kirchhoff"});
+    refuse({"open-2d", "--set", "field.ramp_s=0.5"}, {"ramp_s", "take it out"});
     refuse({"open-2d", "--frequency", "0.1:30"}, {"unsteady group", "--allow-inertia"});
     refuse({"open-2d", "--young-modulus", "-1:2"}, {"--young-modulus"});
     refuse({"open-2d", "--young-modulus", "soft"}, {"--young-modulus"});

@@ -75,6 +75,17 @@ namespace swimtwin
     EXPECT_LE((rate - set.tail_velocity_m_s.row(5).transpose()).norm(), 0.2 * rate.norm());
   }
 
+  TEST_F(Tails, VelocityIsTheRateOfTheDisplacement)
+  {
+    const ReducedTail     tail = example_model({.n_followers = 2}).tail;
+    const ShapeVector     q = draw().tail(4), rate = 30. * draw().tail(4);
+    const double          h = 1e-6;
+    const Eigen::VectorXd difference =
+        (tail_displacement(tail, q + h * rate) - tail_displacement(tail, q - h * rate)) / (2. * h);
+    const Eigen::VectorXd velocity = tail_velocity(tail, q, rate);
+    EXPECT_LE((velocity - difference).norm(), 1e-8 * velocity.norm());
+  }
+
   TEST_F(Tails, MassIsTheTailsArea)
   {
     const SnapshotSet  set = reconstruct(model.tail, example_request(model).drive, {});

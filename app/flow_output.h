@@ -1,0 +1,20 @@
+// The flow around a reduced run: by the full-order fluid where this build has it.
+#pragma once
+
+#include <datasets/reduced_model.h>
+#include <datasets/scene.h>
+#include <rom/swimmer_run.h>
+
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+namespace swimtwin
+{
+  bool flow_can_be_computed();
+
+  /// Write it for ParaView, one instant per snapshot. Throws InputError in a build without finite elements.
+  void write_flow_of_run(const Scene &scene, const ReducedModel &model, double frequency_Hz,
+                         const std::vector<ReducedSnapshot> &snapshots, const std::filesystem::path &folder,
+                         const std::function<void(int n_done)> &on_progress);
+} // namespace swimtwin

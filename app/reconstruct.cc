@@ -1,0 +1,155 @@
+// Verb reconstruct: one run of a reduced swimmer with the whole tail and, where this build has it, the flow.
+#include <app/flow_output.h>
+#include <app/plots.h>
+#include <app/progress_bar.h>
+#include <app/verb.h>
+
+#include <datasets/error.h>
+#include <datasets/output_folder.h>
+#include <datasets/run_summary_json.h>
+#include <rom/reconstruction.h>
+#include <rom/sweep.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+namespace swimtwin
+{
+  namespace
+  {
+    struct ReconstructCommand
+    {
+      CommonOptions common;
+      std::string   model;
+      int           n_instants         = 24;
+      double        relative_tolerance = IntegratorOptions().relative_tolerance;
+      bool          with_flow = false, with_pictures = false;
+    };
+
+    /// A reduced model knows one body in one domain: what else a scene says may not be changed.
+    void require_known_to_model(const std::vector<std::string> &overrides)
+    {
+      const std::vector<std::string> free = {
+          "tail.young_modulus_Pa=",  "fluid.viscosity_Pa_s=", "head.magnetization_A_m=",
+          "tail.magnetization_A_m=", "time.periods=",         "field."};
+      for (const std::string &override_text : overrides)
+        if (std::none_of(free.begin(), free.end(),
+                         [&](const std::string &start) { return override_text.starts_with(start); }))
+          throw InputError(fmt::format(
+              "--set {} changes what the reduced model was trained for: only young_modulus_Pa, viscosity_Pa_s, "
+              "magnetization_A_m, [field] and time.periods can be set; train another model",
+              override_text));
+    }
+
+    Scene scene_of_run(const ReconstructCommand &command, const ReducedModel &model)
+    {
+      require_known_to_model(command.common.overrides);
+      return parse_scene(model.scene_text, model.scene_name + ".toml", command.common.overrides);
+    }
+
+    int n_periods(const Scene &scene)
+    {
+      const double n = std::round(scene.time.periods);
+      if (std::abs(scene.time.periods - n) > 1e-9)
+        throw InputError(
+            fmt::format("time.periods = {} is not possible here: a reduced run takes a whole number of periods",
+                        scene.time.periods));
+      return static_cast<int>(n);
+    }
+
+    SwimmerRun run(const ReducedModel &model, const RunRequest &request, const double relative_tolerance)
+    {
+      const ReducedSwimmer swimmer(model);
+      SwimmerRun           result = SwimmerIntegrator(swimmer, {.relative_tolerance = relative_tolerance}).run(request);
+      if (!result.completed())
+        throw ComputationError(result.failure);
+      return result;
+    }
+
+    RunSummary summary_of(const SwimmerRun &run, const Scene &scene, const TrustNotes &trust)
+    {
+      RunSummary summary;
+      summary.status = "completed";
+      summarize_motion(run.trajectory, scene.time.period_s, scene.head.angle_rad, summary);
+      summary.n_unknowns = static_cast<int>(run.at_period_end.front().size());
+      summary.n_steps    = static_cast<int>(run.n_steps);
+      if (!trust.inside())
+        summary.warnings.push_back("outside what the model was trained for: " + trust.text());
+      return summary;
+    }
+
+    void write_flow_with_progress(const ReconstructCommand &command, const Scene &scene, const ReducedModel &model,
+                                  const RunRequest &request, const SwimmerRun &run)
+    {
+      const auto  start = std::chrono::steady_clock::now();
+      const int   n     = static_cast<int>(run.snapshots.size());
+      ProgressBar bar(command.common.quiet);
+      write_flow_of_run(scene, model, request.drive.frequency_Hz, run.snapshots, command.common.output / "fields",
+                        [&](const int n_done) {
+                          const std::chrono::duration<double> so_far = std::chrono::steady_clock::now() - start;
+                          bar.show(n_done, n, n_done, so_far.count());
+                        });
+    }
+
+    void reconstruct_and_report(const ReconstructCommand &command)
+    {
+      const CommonOptions &common = command.common;
+      const ReducedModel   model  = read_reduced_model(find_model(command.model));
+      const Scene          scene  = scene_of_run(command, model);
+      if (command.with_flow && !flow_can_be_computed())
+        write_flow_of_run(scene, model, 0., {}, {}, {}); // says why not
+      RunRequest request         = sweep_options(scene, model).base;
+      request.n_periods          = n_periods(scene);
+      request.samples_per_period = command.n_instants;
+      prepare_output_folder(common.output, {"trajectory.csv", "summary.json", "snapshots.h5", "fields"}, common.force);
+
+      const SwimmerRun  motion  = run(model, request, command.relative_tolerance);
+      const RunSummary  summary = summary_of(motion, scene, trust_notes(model.range, request, motion));
+      const SnapshotSet shapes  = reconstruct(model.tail, request.drive, motion.snapshots);
+      const Provenance  provenance{SWIMTWIN_VERSION, common.command_line, scene.text, scene.hash, utc_time_now(), 0.};
+      if (command.with_flow)
+        write_flow_with_progress(command, scene, model, request, motion);
+      write_trajectory_csv(common.output / "trajectory.csv", motion.trajectory);
+      write_snapshots(common.output / "snapshots.h5", shapes, provenance);
+      write_run_summary_json(common.output / "summary.json", {summary, provenance});
+
+      std::string warning;
+      if (command.with_pictures)
+        draw_run(common.output, scene, motion.trajectory, summary, shapes, warning);
+      for (const std::string &doubt : summary.warnings)
+        fmt::print(stderr, "swimtwin: warning: {}\n", doubt);
+      if (!warning.empty())
+        fmt::print(stderr, "swimtwin: {}\n", warning);
+      if (!common.quiet)
+        fmt::print("  {} periods, net displacement of the last {:+.5g} mm, head first\n  {} instants in {}\n",
+                   request.n_periods, 1e3 * summary.net_displacement_m, motion.snapshots.size(),
+                   common.output.string());
+    }
+  } // namespace
+
+  Work add_reconstruct(CLI::App &tool, const std::string &command_line)
+  {
+    auto  command = std::make_shared<ReconstructCommand>();
+    auto *verb    = tool.add_subcommand("reconstruct", "One run of a reduced model: motion, whole tail and flow");
+    verb->add_option("model", command->model, "Reduced model (model.h5), or name of a shipped one")->required();
+    verb->add_option("--instants", command->n_instants, "Instants per period that are written")
+        ->check(CLI::Range(3, 10000))
+        ->capture_default_str();
+    verb->add_option("--rtol", command->relative_tolerance, "Relative tolerance of the time integration")
+        ->check(CLI::Range(1e-13, 1e-2))
+        ->capture_default_str();
+    verb->add_flag("--flow", command->with_flow, "Solve for the flow at each instant (fields/, for ParaView)");
+    verb->add_flag("--pictures", command->with_pictures, "Draw the motion");
+    add_common_options(*verb, command->common, OutputFolder::required);
+    command->common.command_line = command_line;
+    return [command] {
+      if (is_speaker())
+        reconstruct_and_report(*command);
+    };
+  }
+} // namespace swimtwin

@@ -1,0 +1,19 @@
+// The flow around a reduced swimmer, by the full-order fluid.
+#pragma once
+
+#include <datasets/reduced_model.h>
+#include <rom/swimmer_run.h>
+
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+namespace swimtwin
+{
+  /// Write the fluid and the tail at every snapshot for ParaView (fom/field_output.h): each body is meshed and one
+  /// Stokes problem solved around it, as it moves there. The scene is the model's, with the run's viscosity. Throws
+  /// InputError if the scene makes another tail than the model's, ComputationError if a body cannot be meshed.
+  void write_flow(const Scene &scene, const ReducedModel &model, double frequency_Hz,
+                  const std::vector<ReducedSnapshot> &snapshots, const std::filesystem::path &folder,
+                  const std::function<void(int n_done)> &on_progress = {});
+} // namespace swimtwin
