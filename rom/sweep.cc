@@ -1,11 +1,10 @@
 #include <datasets/error.h>
+#include <rom/shared_work.h>
 #include <rom/sweep.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <ctime>
-#include <exception>
 #include <limits>
 #include <mutex>
 #include <thread>
@@ -139,38 +138,6 @@ namespace swimtwin
       SwimmerIntegrator   all_, fewer_;
       PeriodicOrbitFinder orbits_;
     };
-
-    /// Calls work(i) for all i below n on some threads; the first exception ends them all and comes back.
-    template <typename MakeWorker>
-    void share(const std::size_t n, const int threads, const MakeWorker &make_worker)
-    {
-      std::atomic<std::size_t> next = 0;
-      std::exception_ptr       error;
-      std::mutex               first;
-      const auto               take_turns = [&] {
-        try
-        {
-          auto worker = make_worker();
-          for (std::size_t i = next++; i < n; i = next++)
-            worker(i);
-        }
-        catch (...) // not to steer: thrown again below, in the caller's thread
-        {
-          const std::lock_guard lock(first);
-          if (!error)
-            error = std::current_exception();
-          next = n;
-        }
-      };
-      {
-        std::vector<std::jthread> others;
-        for (int t = 1; t < threads; ++t)
-          others.emplace_back(take_turns);
-        take_turns();
-      }
-      if (error)
-        std::rethrow_exception(error);
-    }
   } // namespace
 
   std::size_t SweepAxes::n_members() const
@@ -198,7 +165,7 @@ namespace swimtwin
     std::vector<SweepResult> results(axes.n_members());
     std::mutex               reporting;
     std::size_t              n_done = 0;
-    share(results.size(), n_sweep_threads(options, results.size()), [&] {
+    share_work(results.size(), n_sweep_threads(options, results.size()), [&] {
       return [&, worker = SweepWorker(swimmers, options)](const std::size_t i) mutable {
         results[i] = worker.result_of(member_of(i, axes, options.base));
         const std::lock_guard lock(reporting);
