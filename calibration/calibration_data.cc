@@ -20,8 +20,7 @@ namespace swimtwin
   double CalibrationData::sigma_at(const int wanted, const double f) const
   {
     const std::vector<int> rows = rows_of(wanted);
-    const auto             after =
-        std::find_if(rows.begin(), rows.end(), [&](const int row) { return frequency_Hz[row] >= f; });
+    const auto after = std::find_if(rows.begin(), rows.end(), [&](const int row) { return frequency_Hz[row] >= f; });
     if (after == rows.begin())
       return sigma_m[rows.front()];
     if (after == rows.end())

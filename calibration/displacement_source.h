@@ -28,7 +28,7 @@ namespace swimtwin
   public:
     virtual ~DisplacementSource() = default;
 
-    virtual int                  n_conditions() const                                           = 0;
+    virtual int                  n_conditions() const                                         = 0;
     virtual const Displacements &evaluate(const CalibratedSwimmer &swimmer, bool derivatives) = 0;
   };
 } // namespace swimtwin

@@ -1,5 +1,5 @@
 #include <calibration/displacement_table.h>
-#include <rom/shared_work.h>
+#include <datasets/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -79,14 +79,13 @@ namespace swimtwin
       const int n = n_nodes_[static_cast<std::size_t>(g)];
       const int k = static_cast<int>(index % static_cast<std::size_t>(n));
       index /= static_cast<std::size_t>(n);
-      place[g] = 0.5 * (box_.lower[g] + box_.upper[g]) +
-                 0.5 * (box_.upper[g] - box_.lower[g]) * chebyshev_node(k, n);
+      place[g] = 0.5 * (box_.lower[g] + box_.upper[g]) + 0.5 * (box_.upper[g] - box_.lower[g]) * chebyshev_node(k, n);
     }
     return place;
   }
 
-  std::string DisplacementTable::fill(const CalibrationModel               &model,
-                                      const std::vector<SwimmingCondition> &conditions, const TableOptions &options)
+  std::string DisplacementTable::fill(const CalibrationModel &model, const std::vector<SwimmingCondition> &conditions,
+                                      const TableOptions &options)
   {
     const auto n_nodes = static_cast<std::size_t>(
         std::accumulate(n_nodes_.begin(), n_nodes_.end(), 1, [](const int a, const int b) { return a * b; }));
@@ -94,7 +93,7 @@ namespace swimtwin
     std::string     failure;
     std::mutex      reporting;
     std::size_t     n_done = 0;
-    share_work(n_nodes, options.n_threads, [&] {
+    parallel_for(n_nodes, options.n_threads, [&] {
       auto exact = std::make_shared<ExactDisplacements>(
           model, conditions, ExactOptions{.relative_tolerance = options.relative_tolerance, .by = {}});
       return [&, exact](const std::size_t i) {
@@ -157,7 +156,7 @@ namespace swimtwin
     Eigen::VectorXd products = Eigen::VectorXd::Ones(1);
     for (int g = 0; g < groups_.size(); ++g)
     {
-      const Eigen::VectorXd T = chebyshev(place[g], n_nodes_[static_cast<std::size_t>(g)], g == derivative_of);
+      const Eigen::VectorXd T     = chebyshev(place[g], n_nodes_[static_cast<std::size_t>(g)], g == derivative_of);
       const Eigen::MatrixXd outer = products * T.transpose();
       products                    = outer.reshaped();
     }
@@ -172,11 +171,11 @@ namespace swimtwin
 
   const Displacements &DisplacementTable::evaluate(const CalibratedSwimmer &swimmer, const bool derivatives)
   {
-    const Eigen::VectorXd half     = 0.5 * (box_.upper - box_.lower);
-    const Eigen::VectorXd offset   = groups_.values(swimmer) - 0.5 * (box_.upper + box_.lower);
-    const Eigen::VectorXd wanted   = (half.array() > 0.).select(offset.array() / half.array(), 0.);
-    const Eigen::VectorXd place    = wanted.cwiseMax(-1.).cwiseMin(1.);
-    result_.value_m                = *coefficients_ * basis(place, -1);
+    const Eigen::VectorXd half   = 0.5 * (box_.upper - box_.lower);
+    const Eigen::VectorXd offset = groups_.values(swimmer) - 0.5 * (box_.upper + box_.lower);
+    const Eigen::VectorXd wanted = (half.array() > 0.).select(offset.array() / half.array(), 0.);
+    const Eigen::VectorXd place  = wanted.cwiseMax(-1.).cwiseMin(1.);
+    result_.value_m              = *coefficients_ * basis(place, -1);
     if (derivatives)
       result_.by_logarithm.setZero();
     for (int g = 0; g < groups_.size(); ++g)

@@ -10,11 +10,11 @@ namespace swimtwin
 {
   struct TableOptions
   {
-    double relative_tolerance     = 1e-6; ///< of the integration
-    double interpolation_error    = 2e-3; ///< aimed at, relative to the largest displacement
-    int    n_threads              = 1;
-    int    largest_n_nodes        = 17; ///< per group
-    std::function<void(double done)> on_progress = {}; ///< share of the work, by any thread, one at a time
+    double                           relative_tolerance  = 1e-6; ///< of the integration
+    double                           interpolation_error = 2e-3; ///< aimed at, relative to the largest displacement
+    int                              n_threads           = 1;
+    int                              largest_n_nodes     = 17; ///< per group
+    std::function<void(double done)> on_progress         = {}; ///< share of the work, by any thread, one at a time
   };
 
   /// Chebyshev polynomials in each group, through integrations at the nodes. Outside the box: the tangent at its edge.
@@ -22,8 +22,8 @@ namespace swimtwin
   {
   public:
     /// Empty if a node could not be computed; `failure` says why.
-    static std::unique_ptr<DisplacementTable> make(const CalibrationModel                     &model,
-                                                   const std::vector<SwimmingCondition>       &conditions,
+    static std::unique_ptr<DisplacementTable> make(const CalibrationModel               &model,
+                                                   const std::vector<SwimmingCondition> &conditions,
                                                    const GroupBox &box, const TableOptions &options,
                                                    std::string &failure);
 
@@ -41,8 +41,8 @@ namespace swimtwin
   private:
     DisplacementTable(const CalibrationModel &model, const GroupBox &box, std::vector<int> n_nodes);
 
-    std::string fill(const CalibrationModel &model, const std::vector<SwimmingCondition> &conditions,
-                     const TableOptions &options);
+    std::string     fill(const CalibrationModel &model, const std::vector<SwimmingCondition> &conditions,
+                         const TableOptions &options);
     Eigen::VectorXd node(std::size_t index) const;
     void            set_coefficients(const Eigen::MatrixXd &values);
     double          tail(int group) const;
@@ -51,7 +51,7 @@ namespace swimtwin
 
     MotionGroups                           groups_;
     GroupBox                               box_;
-    std::vector<int>                       n_nodes_; ///< per group
+    std::vector<int>                       n_nodes_;      ///< per group
     std::shared_ptr<const Eigen::MatrixXd> coefficients_; ///< conditions x products, the first group fastest
     Displacements                          result_;
     double                                 interpolation_error_ = 0.;

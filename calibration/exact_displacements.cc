@@ -1,6 +1,7 @@
 #include <calibration/exact_displacements.h>
 #include <datasets/error.h>
-#include <rom/shared_work.h>
+#include <datasets/parallel_for.h>
+
 #include <rom/sweep.h>
 #include <rom/trust.h>
 
@@ -31,13 +32,13 @@ namespace swimtwin
 
   CalibrationModel::CalibrationModel(const ReducedModel &model) : swimmer(model), range(model.range)
   {
-    const Scene        scene = parse_scene(model.scene_text, model.scene_name + ".toml");
-    const SweepOptions own   = sweep_options(scene, model);
-    base                     = own.base;
-    heading_rad              = own.heading_rad;
-    body_length_m            = scene.body_length_m();
-    nominal.young_modulus_Pa = base.parameters.young_modulus_Pa;
-    nominal.viscosity_Pa_s   = base.parameters.viscosity_Pa_s;
+    const Scene        scene  = parse_scene(model.scene_text, model.scene_name + ".toml");
+    const SweepOptions own    = sweep_options(scene, model);
+    base                      = own.base;
+    heading_rad               = own.heading_rad;
+    body_length_m             = scene.body_length_m();
+    nominal.young_modulus_Pa  = base.parameters.young_modulus_Pa;
+    nominal.viscosity_Pa_s    = base.parameters.viscosity_Pa_s;
     nominal.magnetization_A_m = base.parameters.magnetization_A_m;
     if (nominal.magnetization_A_m <= 0.)
       throw InputError(fmt::format("[head] magnetization_A_m = {} of the model's scene {} is not positive, and a fit "
@@ -64,8 +65,7 @@ namespace swimtwin
   {
   public:
     Worker(const CalibrationModel &model, const ExactOptions &options)
-        : model_(model),
-          parameters_(parameters_of(options.by, model.base.parameters.tail_magnetization_A_m != 0.)),
+        : model_(model), parameters_(parameters_of(options.by, model.base.parameters.tail_magnetization_A_m != 0.)),
           plain_(model.swimmer, {.relative_tolerance = options.relative_tolerance}),
           differentiated_(model.swimmer,
                           {.relative_tolerance = options.relative_tolerance, .sensitivities = parameters_}),
@@ -132,18 +132,18 @@ namespace swimtwin
         const double slope = by_parameters[static_cast<Eigen::Index>(k)];
         switch (parameters_[k].quantity)
         {
-          case Quantity::young_modulus:
-            slopes[by_young_modulus] = slope * p.young_modulus_Pa;
-            break;
-          case Quantity::viscosity:
-            slopes[by_viscosity] = slope * p.viscosity_Pa_s;
-            break;
-          case Quantity::magnetization:
-            slopes[by_magnetization] = slope * p.magnetization_A_m;
-            slopes[by_field_scale] += slopes[by_magnetization];
-            break;
-          default:
-            slopes[by_field_scale] += slope * p.tail_magnetization_A_m;
+        case Quantity::young_modulus:
+          slopes[by_young_modulus] = slope * p.young_modulus_Pa;
+          break;
+        case Quantity::viscosity:
+          slopes[by_viscosity] = slope * p.viscosity_Pa_s;
+          break;
+        case Quantity::magnetization:
+          slopes[by_magnetization] = slope * p.magnetization_A_m;
+          slopes[by_field_scale] += slopes[by_magnetization];
+          break;
+        default:
+          slopes[by_field_scale] += slope * p.tail_magnetization_A_m;
         }
       }
       for (int q = 0; q < n_motion_quantities; ++q)
@@ -175,7 +175,7 @@ namespace swimtwin
   {
     std::vector<std::string> failures(conditions_.size());
     std::atomic<std::size_t> next_worker = 0;
-    share_work(conditions_.size(), static_cast<int>(workers_.size()), [&] {
+    parallel_for(conditions_.size(), static_cast<int>(workers_.size()), [&] {
       return [&, &worker = *workers_[next_worker++]](const std::size_t i) {
         Eigen::RowVectorXd slopes(n_motion_quantities);
         const auto         row = static_cast<Eigen::Index>(i);

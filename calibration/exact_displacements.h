@@ -19,8 +19,8 @@ namespace swimtwin
 
     ReducedSwimmer    swimmer;
     TrainedRange      range;
-    RunRequest        base;             ///< the scene's own run: parameters, field, rest
-    double            heading_rad = 0.; ///< displacement counts along -(cos, sin)
+    RunRequest        base;               ///< the scene's own run: parameters, field, rest
+    double            heading_rad   = 0.; ///< displacement counts along -(cos, sin)
     double            body_length_m = 0.;
     CalibratedSwimmer nominal; ///< of the scene
   };

@@ -17,8 +17,8 @@ namespace swimtwin
   public:
     explicit MotionGroups(const CalibrationModel &model);
 
-    int               size() const { return static_cast<int>(slopes_.rows()); }
-    Eigen::VectorXd   values(const CalibratedSwimmer &swimmer) const;
+    int             size() const { return static_cast<int>(slopes_.rows()); }
+    Eigen::VectorXd values(const CalibratedSwimmer &swimmer) const;
     /// Derivatives by the logarithms of MotionQuantity, size() x 4.
     const Eigen::MatrixXd &slopes() const { return slopes_; }
     /// A swimmer with these groups, at the scene's viscosity.

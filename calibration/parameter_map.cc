@@ -12,35 +12,35 @@ namespace swimtwin
     {
       switch (quantity)
       {
-        case FittedQuantity::young_modulus_over_viscosity:
-          s.young_modulus_Pa = value * s.viscosity_Pa_s;
-          break;
-        case FittedQuantity::magnetization_over_viscosity:
-          s.magnetization_A_m = value * s.viscosity_Pa_s;
-          break;
-        case FittedQuantity::young_modulus:
-          s.young_modulus_Pa = value;
-          break;
-        case FittedQuantity::viscosity:
-          s.viscosity_Pa_s = value;
-          break;
-        case FittedQuantity::magnetization:
-          s.magnetization_A_m = value;
-          break;
-        case FittedQuantity::field_scale:
-          s.field_scale = value;
-          break;
-        case FittedQuantity::geometry_scale:
-          s.geometry_scale = value;
-          break;
-        case FittedQuantity::displacement_scale:
-          s.displacement_scale = value;
-          break;
-        case FittedQuantity::displacement_offset:
-          s.displacement_offset_m = value;
-          break;
-        case FittedQuantity::noise_scale:
-          s.noise_scale = value;
+      case FittedQuantity::young_modulus_over_viscosity:
+        s.young_modulus_Pa = value * s.viscosity_Pa_s;
+        break;
+      case FittedQuantity::magnetization_over_viscosity:
+        s.magnetization_A_m = value * s.viscosity_Pa_s;
+        break;
+      case FittedQuantity::young_modulus:
+        s.young_modulus_Pa = value;
+        break;
+      case FittedQuantity::viscosity:
+        s.viscosity_Pa_s = value;
+        break;
+      case FittedQuantity::magnetization:
+        s.magnetization_A_m = value;
+        break;
+      case FittedQuantity::field_scale:
+        s.field_scale = value;
+        break;
+      case FittedQuantity::geometry_scale:
+        s.geometry_scale = value;
+        break;
+      case FittedQuantity::displacement_scale:
+        s.displacement_scale = value;
+        break;
+      case FittedQuantity::displacement_offset:
+        s.displacement_offset_m = value;
+        break;
+      case FittedQuantity::noise_scale:
+        s.noise_scale = value;
       }
     }
 
@@ -59,22 +59,22 @@ namespace swimtwin
     {
       switch (quantity)
       {
-        case FittedQuantity::young_modulus_over_viscosity:
-        case FittedQuantity::young_modulus:
-          return by_young_modulus;
-        case FittedQuantity::viscosity:
-          return by_viscosity;
-        case FittedQuantity::magnetization_over_viscosity:
-        case FittedQuantity::magnetization:
-          return by_magnetization;
-        case FittedQuantity::field_scale:
-          return by_field_scale;
-        case FittedQuantity::geometry_scale:
-          return by_geometry_scale;
-        case FittedQuantity::displacement_scale:
-          return by_displacement_scale;
-        default:
-          return by_displacement_offset;
+      case FittedQuantity::young_modulus_over_viscosity:
+      case FittedQuantity::young_modulus:
+        return by_young_modulus;
+      case FittedQuantity::viscosity:
+        return by_viscosity;
+      case FittedQuantity::magnetization_over_viscosity:
+      case FittedQuantity::magnetization:
+        return by_magnetization;
+      case FittedQuantity::field_scale:
+        return by_field_scale;
+      case FittedQuantity::geometry_scale:
+        return by_geometry_scale;
+      case FittedQuantity::displacement_scale:
+        return by_displacement_scale;
+      default:
+        return by_displacement_offset;
       }
     }
   } // namespace
@@ -83,26 +83,26 @@ namespace swimtwin
   {
     switch (quantity)
     {
-      case FittedQuantity::young_modulus_over_viscosity:
-        return s.young_modulus_Pa / s.viscosity_Pa_s;
-      case FittedQuantity::magnetization_over_viscosity:
-        return s.magnetization_A_m / s.viscosity_Pa_s;
-      case FittedQuantity::young_modulus:
-        return s.young_modulus_Pa;
-      case FittedQuantity::viscosity:
-        return s.viscosity_Pa_s;
-      case FittedQuantity::magnetization:
-        return s.magnetization_A_m;
-      case FittedQuantity::field_scale:
-        return s.field_scale;
-      case FittedQuantity::geometry_scale:
-        return s.geometry_scale;
-      case FittedQuantity::displacement_scale:
-        return s.displacement_scale;
-      case FittedQuantity::displacement_offset:
-        return s.displacement_offset_m;
-      default:
-        return s.noise_scale;
+    case FittedQuantity::young_modulus_over_viscosity:
+      return s.young_modulus_Pa / s.viscosity_Pa_s;
+    case FittedQuantity::magnetization_over_viscosity:
+      return s.magnetization_A_m / s.viscosity_Pa_s;
+    case FittedQuantity::young_modulus:
+      return s.young_modulus_Pa;
+    case FittedQuantity::viscosity:
+      return s.viscosity_Pa_s;
+    case FittedQuantity::magnetization:
+      return s.magnetization_A_m;
+    case FittedQuantity::field_scale:
+      return s.field_scale;
+    case FittedQuantity::geometry_scale:
+      return s.geometry_scale;
+    case FittedQuantity::displacement_scale:
+      return s.displacement_scale;
+    case FittedQuantity::displacement_offset:
+      return s.displacement_offset_m;
+    default:
+      return s.noise_scale;
     }
   }
 
@@ -205,8 +205,8 @@ namespace swimtwin
     Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n_recording_quantities, size());
     for (int j = 0; j < size(); ++j)
     {
-      const FreeParameter &free = free_[static_cast<std::size_t>(j)];
-      const double by_logarithm = value_slope(j, x[j]) / value(j, x[j]); // 1 for a logarithm
+      const FreeParameter &free         = free_[static_cast<std::size_t>(j)];
+      const double         by_logarithm = value_slope(j, x[j]) / value(j, x[j]); // 1 for a logarithm
       if (free.quantity == displacement_offset)
         A(by_displacement_offset, j) = unit(j);
       else

@@ -14,8 +14,8 @@ namespace swimtwin
     n_recording_quantities
   };
 
-  /// Free parameters as a vector x of scaled variables: logarithms, or values over a unit of their size. The noise level
-  /// is not among them: it follows from the residuals.
+  /// Free parameters as a vector x of scaled variables: logarithms, or values over a unit of their size. The noise
+  /// level is not among them: it follows from the residuals.
   class ParameterMap
   {
   public:

@@ -1,5 +1,5 @@
 #include <datasets/error.h>
-#include <rom/shared_work.h>
+#include <datasets/parallel_for.h>
 #include <rom/sweep.h>
 
 #include <algorithm>
@@ -7,7 +7,6 @@
 #include <ctime>
 #include <limits>
 #include <mutex>
-#include <thread>
 
 namespace swimtwin
 {
@@ -165,7 +164,7 @@ namespace swimtwin
     std::vector<SweepResult> results(axes.n_members());
     std::mutex               reporting;
     std::size_t              n_done = 0;
-    share_work(results.size(), n_sweep_threads(options, results.size()), [&] {
+    parallel_for(results.size(), n_sweep_threads(options, results.size()), [&] {
       return [&, worker = SweepWorker(swimmers, options)](const std::size_t i) mutable {
         results[i] = worker.result_of(member_of(i, axes, options.base));
         const std::lock_guard lock(reporting);
@@ -179,8 +178,6 @@ namespace swimtwin
 
   int n_sweep_threads(const SweepOptions &options, const std::size_t n_members)
   {
-    const auto        cores  = static_cast<int>(std::thread::hardware_concurrency());
-    const std::size_t wanted = static_cast<std::size_t>(std::max(1, options.n_threads > 0 ? options.n_threads : cores));
-    return static_cast<int>(std::min(n_members, wanted));
+    return n_threads_for(n_members, options.n_threads);
   }
 } // namespace swimtwin

@@ -1,8 +1,8 @@
-// Independent pieces of work on several threads.
+// Independent pieces of work shared out over threads.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
-#include <cstddef>
 #include <exception>
 #include <mutex>
 #include <thread>
@@ -10,10 +10,18 @@
 
 namespace swimtwin
 {
-  /// Calls work(i) for all i below n, where each thread has a `work` of its own from `make_worker()`. The first
-  /// exception ends them all and comes back.
+  /// How many threads n pieces of work take when `wanted` (0: as many as the machine has) are allowed.
+  inline int n_threads_for(const std::size_t n, const int wanted)
+  {
+    const auto        cores = static_cast<int>(std::thread::hardware_concurrency());
+    const std::size_t most  = static_cast<std::size_t>(std::max(1, wanted > 0 ? wanted : cores));
+    return static_cast<int>(std::min(n, most));
+  }
+
+  /// Calls make_worker() once per thread, by that thread, and then its result on every i below n, each i once. The
+  /// first exception ends them all and comes back.
   template <typename MakeWorker>
-  void share_work(const std::size_t n, const int n_threads, const MakeWorker &make_worker)
+  void parallel_for(const std::size_t n, const int n_threads, const MakeWorker &make_worker)
   {
     std::atomic<std::size_t> next = 0;
     std::exception_ptr       error;
