@@ -91,11 +91,12 @@ namespace swimtwin
     EXPECT_EQ(displacement_of_periods(swimming(50., 4., 2e-4, -0.5), {-1., 0.}).number, (std::vector<int>{2, 3, 4}));
   }
 
-  TEST(TrackPeriods, EndsOfPeriodsAreInterpolatedToThirdOrder)
+  TEST(TrackPeriods, EndsOfPeriodsAreOffByNoMoreThanACubicIs)
   {
-    const double coarse = error_of_periods(17.3), fine = error_of_periods(34.6);
-    EXPECT_LT(coarse, 2e-6); // of a swing of 60 micrometres in two waves per period
-    EXPECT_GT(coarse / fine, 8.);
+    // Lagrange's remainder at both ends: |(t - t1) ... (t - t4)| <= h^4 among four frames, times x'''' / 24.
+    const double fourth_derivative = 3e-5 * std::pow(2. * pi, 4);
+    for (const double frames : {12.1, 17.3, 34.6, 69.2})
+      EXPECT_LT(error_of_periods(frames), 2. * std::pow(2. / frames, 4) * fourth_derivative / 24.) << frames;
   }
 
   TEST(TrackPeriods, SidewaysIsPositiveToTheLeft)
