@@ -1,6 +1,7 @@
 // What a laboratory observed of one swimmer in one field: displacement per period against frequency, with error bars.
 #pragma once
 
+#include <datasets/data_problems.h>
 #include <datasets/field_program.h>
 
 #include <filesystem>
@@ -59,15 +60,6 @@ namespace swimtwin
   /// docs/file-formats.md, "Observations". Throws InputError that lists every error of the files, one per line, each
   /// with file, line, column and remedy.
   ObservationSet read_observations(const std::filesystem::path &file);
-
-  enum class Severity { warning, error };
-
-  /// Something to know about a file of observations.
-  struct DataProblem
-  {
-    Severity    severity = Severity::error;
-    std::string text; ///< `file:line: column = value rule; remedy.`
-  };
 
   /// Every problem of a file and its sidecar, errors first; empty when there is nothing to say. Does not throw for what
   /// is wrong in the files.
