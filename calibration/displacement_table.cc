@@ -11,8 +11,8 @@ namespace swimtwin
   namespace
   {
     /// Displacements are smooth in the groups' logarithms, with poles about this far from the real axis: a peak of the
-    /// form x / (1 + x^2) has them at pi / 2.
-    constexpr double distance_of_poles = std::numbers::pi / 2.;
+    /// form x / (1 + x^2) has them at pi / 2; with the coarser features of a start from rest it is nearer.
+    constexpr double distance_of_poles = 1.;
 
     /// Polynomials of an interval of half this width converge as the ellipse through the poles says.
     int n_nodes_for(const double half_width, const TableOptions &options)

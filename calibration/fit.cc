@@ -7,13 +7,23 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace swimtwin
 {
   namespace
   {
-    constexpr double search_tolerance = 1e-6, exact_tolerance = 1e-7, information_tolerance = 1e-9;
-    constexpr int    most_refined = 3; // minima of the table that are searched again
+    // Of the integration: for the search a few per mille of a displacement, for the estimate 1e-4 of it, and for what
+    // is read off derivatives (null directions!) as many digits as there are.
+    constexpr double search_tolerance = 1e-5, estimate_tolerance = 1e-7, information_tolerance = 1e-9;
+    constexpr double search_interpolation = 1e-2, estimate_interpolation = 1e-5;
+    constexpr int    most_refined = 3; // minima of the search that are looked at again
+    constexpr int    most_rounds  = 4; // of moving the estimate's table to where the estimate is
+
+    // The estimate's table reaches this many standard deviations, and at least this far in a logarithm.
+    constexpr double standard_deviations = 6., least_half_width = 0.03;
+    /// A step of the polish below this share of a standard deviation is none.
+    constexpr double settled = 0.02;
 
     /// Misfit for the search: the model's error only makes observations less sure, each by itself.
     struct SearchMisfit
@@ -93,39 +103,49 @@ namespace swimtwin
                       search.minima.size(), search.minima.front().message, fmt::join(input.map.names(), ", ")));
     }
 
+    /// What was computed before.
+    class KnownDisplacements : public DisplacementSource
+    {
+    public:
+      explicit KnownDisplacements(const Displacements &displacements) : displacements_(displacements) {}
+      int                  n_conditions() const override { return static_cast<int>(displacements_.value_m.size()); }
+      const Displacements &evaluate(const CalibratedSwimmer &, bool) override { return displacements_; }
+
+    private:
+      const Displacements &displacements_;
+    };
+
     /// One fit, step by step.
     class Fitting
     {
     public:
-      explicit Fitting(const FitInput &input)
-          : input_(input), groups_(input.model), exact_(input.model, input.data.conditions, options(exact_tolerance))
+      explicit Fitting(const FitInput &input) : input_(input), groups_(input.model)
       {
-        result_.error =
-            model_error(input.reduced.record, input.problem.model_error, input.data, Eigen::VectorXd::Ones(input.data.n()));
-        result_.integrator_tolerance = exact_tolerance;
+        set_model_error(Eigen::VectorXd::Ones(input.data.n()));
+        result_.integrator_tolerance = estimate_tolerance;
       }
 
       Estimate run()
       {
         search();
         refine();
-        polish();
         if (admit_larger_model_error())
-          polish();
-        settle();
+          estimate();
+        if (slide_along_undecided())
+          describe();
         return std::move(result_);
       }
 
     private:
-      ExactOptions options(const double tolerance) const
-      {
-        return {.relative_tolerance = tolerance, .n_threads = input_.n_threads, .by = input_.map.needed()};
-      }
-
       void show(const std::string &what, const double done) const
       {
         if (input_.on_progress)
           input_.on_progress(what, done);
+      }
+
+      void set_model_error(const Eigen::VectorXd &growth)
+      {
+        result_.error = model_error(input_.reduced.record, input_.problem.model_error, input_.data, growth);
       }
 
       SearchOptions search_options() const
@@ -135,81 +155,139 @@ namespace swimtwin
                 .seed            = static_cast<unsigned long>(input_.problem.seed)};
       }
 
+      GroupBox everywhere() const { return input_.map.group_box(groups_, input_.map.lower(), input_.map.upper()); }
+
+      std::shared_ptr<DisplacementTable> table(const GroupBox &box, const TableOptions &options)
+      {
+        std::string failure;
+        auto        made = DisplacementTable::make(input_.model, input_.data.conditions, box, options, failure);
+        if (made)
+          result_.n_runs += made->n_runs();
+        return made;
+      }
+
       /// From all starts, on a table; without one, if a node of it cannot be computed, with exact displacements.
       void search()
       {
-        const SearchMisfit                       misfit(input_, result_.error);
-        const std::shared_ptr<DisplacementTable> table        = search_table();
-        const auto                               make_problem = [&] {
+        const SearchMisfit misfit(input_, result_.error);
+        const auto         found        = table(everywhere(), {.relative_tolerance  = search_tolerance,
+                                                               .interpolation_error = search_interpolation,
+                                                               .n_threads           = input_.n_threads,
+                                                               .on_progress = [this](double done) { show("search", done); }});
+        const auto         make_problem = [&] {
           std::shared_ptr<DisplacementSource> source;
-          if (table)
-            source = table->copy();
+          if (found)
+            source = found->copy();
           else
-            source = std::make_shared<ExactDisplacements>(
-                input_.model, input_.data.conditions,
-                ExactOptions{.relative_tolerance = search_tolerance, .by = input_.map.needed()});
+            source = exact(search_tolerance, 1);
           return minimization_problem(misfit.misfit, source);
         };
-        result_.starts = starts_of(input_);
+        result_.table_error = found ? found->interpolation_error() : 0.;
+        result_.starts      = starts_of(input_);
         result_.search =
             search_from_all(make_problem, result_.starts, {.search = search_options(), .n_threads = input_.n_threads});
         if (result_.search.best < 0)
           refuse_all_starts(input_, result_.search);
       }
 
-      std::shared_ptr<DisplacementTable> search_table()
+      std::unique_ptr<ExactDisplacements> exact(const double tolerance, const int n_threads) const
       {
-        std::string failure;
-        auto        table = DisplacementTable::make(input_.model, input_.data.conditions,
-                                                    input_.map.group_box(groups_, input_.map.lower(), input_.map.upper()),
-                                                    {.relative_tolerance = search_tolerance,
-                                                     .n_threads          = input_.n_threads,
-                                                     .on_progress = [this](const double done) { show("search", done); }},
-                                                    failure);
-        if (table)
-        {
-          result_.table_error = table->interpolation_error();
-          result_.n_runs += table->n_runs();
-        }
-        return table;
+        return std::make_unique<ExactDisplacements>(
+            input_.model, input_.data.conditions,
+            ExactOptions{.relative_tolerance = tolerance, .n_threads = n_threads, .by = input_.map.needed()});
       }
 
-      /// Once more with exact displacements and sensitivities, from the table's minima.
+      /// Every minimum of the search that may be the best one, followed to where it is on a table of its own.
       void refine()
       {
-        const SearchMisfit misfit(input_, result_.error);
-        const auto         source  = std::shared_ptr<DisplacementSource>(std::shared_ptr<void>(), &exact_);
-        const auto         problem = minimization_problem(misfit.misfit, source);
-        for (const Eigen::VectorXd &x : distinct_minima(result_.search, problem.upper - problem.lower))
+        const Eigen::VectorXd   width = input_.map.upper() - input_.map.lower();
+        std::optional<Estimate> best;
+        for (const Eigen::VectorXd &x : distinct_minima(result_.search, width))
         {
-          Minimum minimum = search_minimum(problem, x, search_options());
-          if (!result_.refined.is_feasible() ||
-              (minimum.is_feasible() && minimum.objective < result_.refined.objective))
-            result_.refined = std::move(minimum);
-          show("refine", 0.5);
+          result_.unknowns.setZero(input_.map.size() + result_.error.n_components());
+          result_.unknowns.head(x.size()) = x;
+          estimate();
+          if (!best || result_.misfit < best->misfit)
+            best = result_;
+          best->n_runs = result_.n_runs;
         }
-        if (!result_.refined.is_feasible())
-          throw ComputationError(fmt::format("the fit failed: {}", result_.refined.message));
-        result_.unknowns = result_.refined.x;
+        result_ = std::move(*best);
       }
 
-      /// Least squares with the model's error among the unknowns, and the noise level where it is free.
-      void polish()
+      /// Search on a table around the estimate, polish there, and look with exact displacements and sensitivities
+      /// whether that is the minimum; if not, again from where those lead.
+      void estimate()
       {
-        const Eigen::VectorXd x0 = result_.refined.x;
         result_.unknowns.conservativeResizeLike(
             Eigen::VectorXd::Zero(input_.map.size() + result_.error.n_components()));
+        if (search_table_)
+          describe(search_table_->evaluate(swimmer(), true));
+        else
+          describe();
+        for (int round = 0; round < most_rounds; ++round)
+        {
+          show("estimate", static_cast<double>(round) / most_rounds);
+          const Eigen::VectorXd before = result_.unknowns;
+          make_local_table();
+          polish(before);
+          describe();
+          const Eigen::VectorXd step = remaining_step();
+          result_.polish_step        = step.head(input_.map.size()).lpNorm<Eigen::Infinity>();
+          result_.polished           = in_standard_deviations(step) <= settled && result_.local->covers(swimmer());
+          if (result_.polished)
+            return;
+          if (result_.local->covers(swimmer()))
+            result_.unknowns += step;
+          clip();
+        }
+      }
+
+      CalibratedSwimmer swimmer() const { return input_.map.swimmer(result_.unknowns.head(input_.map.size())); }
+
+      /// As wide in the groups as the information at the estimate says, within what the bounds allow.
+      GroupBox local_box() const
+      {
+        GroupBox              box    = everywhere();
+        const Eigen::VectorXd centre = groups_.values(swimmer());
+        const Eigen::MatrixXd by_x =
+            groups_.slopes() *
+            input_.map.slopes(result_.unknowns.head(input_.map.size())).topRows<n_motion_quantities>();
+        for (Eigen::Index g = 0; g < centre.size(); ++g)
+        {
+          const double half =
+              std::max(standard_deviations * result_.information.standard_deviation(by_x.row(g)), least_half_width);
+          box.lower[g] = std::max(box.lower[g], centre[g] - half);
+          box.upper[g] = std::min(box.upper[g], centre[g] + half);
+        }
+        return box;
+      }
+
+      void make_local_table()
+      {
+        result_.local = table(local_box(), {.relative_tolerance  = estimate_tolerance,
+                                            .interpolation_error = estimate_interpolation,
+                                            .n_threads           = input_.n_threads});
+        if (!result_.local)
+          throw ComputationError("the fit failed: the swimmer cannot be computed everywhere near the estimate; move "
+                                 "the bounds away from there.");
+      }
+
+      /// NLopt's answer on the table, then least squares with the model's error among the unknowns, and the noise level
+      /// where it is free.
+      void polish(const Eigen::VectorXd &start)
+      {
+        const SearchMisfit misfit(input_, result_.error);
+        result_.refined = search_minimum(minimization_problem(misfit.misfit, result_.local),
+                                         start.head(input_.map.size()), search_options());
+        if (result_.refined.is_feasible())
+          result_.unknowns.head(input_.map.size()) = result_.refined.x;
         for (int round = 0; round < (free_noise() ? 4 : 1); ++round)
         {
-          const Misfit               misfit = misfit_of(input_, result_);
-          const LeastSquaresSolution solution =
-              solve_least_squares(least_squares_problem(misfit, exact_), result_.unknowns);
-          result_.polished = solution.converged;
-          result_.unknowns = solution.unknowns;
-          estimate_noise(misfit);
-          show("polish", 0.5);
+          const Misfit joint = misfit_of(input_, result_);
+          result_.unknowns =
+              solve_least_squares(least_squares_problem(joint, *result_.local), result_.unknowns).unknowns;
+          estimate_noise(joint);
         }
-        result_.polish_step = (result_.unknowns.head(input_.map.size()) - x0).lpNorm<Eigen::Infinity>();
       }
 
       const FreeParameter *free_noise() const
@@ -222,50 +300,99 @@ namespace swimtwin
       void estimate_noise(const Misfit &misfit)
       {
         if (const FreeParameter *noise = free_noise())
-          if (const Prediction prediction = misfit.predict(exact_, result_.unknowns, true); prediction.failure.empty())
-            result_.noise_scale =
-                noise_scale_estimate(misfit, result_.unknowns, prediction, noise->lower, noise->upper);
+          result_.noise_scale =
+              noise_scale_estimate(misfit, result_.unknowns, misfit.predict(*result_.local, result_.unknowns, true),
+                                   noise->lower, noise->upper);
+      }
+
+      /// Gauss and Newton's step of all unknowns by exact rows, without what is undecided or held by a bound.
+      Eigen::VectorXd remaining_step() const
+      {
+        const Eigen::Index    p     = input_.map.size();
+        const Eigen::VectorXd lower = input_.map.lower(), upper = input_.map.upper();
+        Eigen::MatrixXd       J     = rows_.by_unknowns;
+        const Eigen::VectorXd slope = J.transpose() * rows_.rows;
+        for (Eigen::Index j = 0; j < p; ++j)
+          if (is_held(j, slope[j], lower, upper))
+            J.col(j).setZero();
+        Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver(J);
+        solver.setThreshold(null_strength);
+        return solver.solve(-rows_.rows);
+      }
+
+      bool is_held(const Eigen::Index j, const double slope, const Eigen::VectorXd &lower,
+                   const Eigen::VectorXd &upper) const
+      {
+        return j < lower.size() &&
+               ((result_.unknowns[j] <= lower[j] && slope > 0.) || (result_.unknowns[j] >= upper[j] && slope < 0.));
+      }
+
+      double in_standard_deviations(const Eigen::VectorXd &step) const
+      {
+        const Eigen::VectorXd x = step.head(input_.map.size());
+        return (result_.information.whitened * x).norm();
+      }
+
+      void clip()
+      {
+        auto x = result_.unknowns.head(input_.map.size());
+        x      = x.cwiseMax(input_.map.lower()).cwiseMin(input_.map.upper()).eval();
+      }
+
+      /// Predictions and information at the estimate with exact displacements and sensitivities.
+      void describe()
+      {
+        const auto source = exact(information_tolerance, input_.n_threads);
+        describe(source->evaluate(swimmer(), true));
+        result_.n_runs += source->n_runs();
+      }
+
+      void describe(const Displacements &displacements)
+      {
+        if (displacements.failed())
+          throw ComputationError(fmt::format("the fit failed at its estimate: {}", displacements.failure));
+        KnownDisplacements known(displacements);
+        const Misfit       misfit = misfit_of(input_, result_);
+        rows_                     = misfit.rows(known, result_.unknowns, true);
+        result_.prediction        = misfit.predict(known, result_.unknowns, true);
+        result_.information       = information(misfit, result_.unknowns, result_.prediction);
+        result_.misfit            = rows_.misfit();
+        set_kkt_residual();
+      }
+
+      void set_kkt_residual()
+      {
+        const Eigen::VectorXd lower = input_.map.lower(), upper = input_.map.upper();
+        const double          size = std::max(1., rows_.rows.norm());
+        result_.kkt_residual       = 0.;
+        for (Eigen::Index j = 0; j < rows_.by_unknowns.cols(); ++j)
+        {
+          const double slope = rows_.by_unknowns.col(j).dot(rows_.rows), norm = rows_.by_unknowns.col(j).norm();
+          if (norm > 0. && !is_held(j, slope, lower, upper))
+            result_.kkt_residual = std::max(result_.kkt_residual, std::abs(slope) / (norm * size));
+        }
       }
 
       /// Where the model's own indicator exceeds those of its held-out runs, its error is taken to grow with it.
-      bool admit_larger_model_error();
-
-      /// Exact to many digits: what is null must show.
-      void settle()
+      bool admit_larger_model_error()
       {
-        ExactDisplacements exact(input_.model, input_.data.conditions, options(information_tolerance));
-        const Misfit       misfit = misfit_of(input_, result_);
-        describe(misfit, exact);
-        if (slide_along_undecided())
-          describe(misfit, exact);
-        result_.n_runs += exact.n_runs() + exact_.n_runs();
-      }
-
-      void describe(const Misfit &misfit, DisplacementSource &source)
-      {
-        result_.prediction = misfit.predict(source, result_.unknowns, true);
-        if (!result_.prediction.failure.empty())
-          throw ComputationError(fmt::format("the fit failed at its estimate: {}", result_.prediction.failure));
-        result_.information   = information(misfit, result_.unknowns, result_.prediction);
-        const MisfitRows rows = misfit.rows(source, result_.unknowns, true);
-        result_.misfit        = rows.misfit();
-        result_.kkt_residual  = cosine(misfit, rows);
-      }
-
-      double cosine(const Misfit &misfit, const MisfitRows &rows) const
-      {
-        const Eigen::VectorXd lower = misfit.map().lower(), upper = misfit.map().upper();
-        const double          size  = std::max(1., rows.rows.norm());
-        double                worst = 0.;
-        for (int j = 0; j < misfit.n_unknowns(); ++j)
-        {
-          const double slope = rows.by_unknowns.col(j).dot(rows.rows), norm = rows.by_unknowns.col(j).norm();
-          const bool   held = j < misfit.n_parameters() && ((result_.unknowns[j] <= lower[j] && slope > 0.) ||
-                                                          (result_.unknowns[j] >= upper[j] && slope < 0.));
-          if (!held && norm > 0.)
-            worst = std::max(worst, std::abs(slope) / (norm * size));
-        }
-        return worst;
+        const double usual   = held_out_indicator(input_.reduced.record);
+        const int    n_fewer = n_modes_of_comparison(input_.reduced.n_modes());
+        if (result_.error.relative_size == 0. || usual == 0. || n_fewer == input_.reduced.n_modes())
+          return false;
+        const CalibrationModel fewer(truncated(input_.reduced, n_fewer));
+        ExactDisplacements     compared(fewer, input_.data.conditions,
+                                        {.relative_tolerance = estimate_tolerance, .n_threads = input_.n_threads});
+        const Displacements   &few = compared.evaluate(swimmer(), false);
+        if (few.failed())
+          return false;
+        const Eigen::VectorXd all    = result_.local->evaluate(swimmer(), false).value_m;
+        const Eigen::VectorXd growth = (all - few.value_m).cwiseAbs().cwiseQuotient(usual * all.cwiseAbs());
+        result_.n_runs += compared.n_runs();
+        if (growth.maxCoeff() <= 1.)
+          return false;
+        set_model_error(growth.cwiseMax(1.));
+        return true;
       }
 
       /// Along what no data and no prior decide, to the point nearest the nominal swimmer: one answer, not any.
@@ -274,8 +401,8 @@ namespace swimtwin
         const Eigen::MatrixXd &N = result_.information.undecided;
         if (N.cols() == 0)
           return false;
-        const Eigen::VectorXd step = N * (N.transpose() * (input_.map.nominal() - result_.x()));
         const Eigen::VectorXd x = result_.x(), lower = input_.map.lower(), upper = input_.map.upper();
+        const Eigen::VectorXd step  = N * (N.transpose() * (input_.map.nominal() - x));
         double                share = 1.;
         for (Eigen::Index j = 0; j < x.size(); ++j)
           if (step[j] != 0.)
@@ -284,32 +411,12 @@ namespace swimtwin
         return true;
       }
 
-      const FitInput    &input_;
-      MotionGroups       groups_;
-      ExactDisplacements exact_;
-      Estimate           result_;
+      const FitInput                    &input_;
+      MotionGroups                       groups_;
+      Estimate                           result_;
+      MisfitRows                         rows_; ///< at the estimate
+      std::shared_ptr<DisplacementTable> search_table_;
     };
-
-    bool Fitting::admit_larger_model_error()
-    {
-      const double usual   = held_out_indicator(input_.reduced.record);
-      const int    n_fewer = n_modes_of_comparison(input_.reduced.n_modes());
-      if (result_.error.relative_size == 0. || usual == 0. || n_fewer == input_.reduced.n_modes())
-        return false;
-      const CalibrationModel  fewer(truncated(input_.reduced, n_fewer));
-      const CalibratedSwimmer swimmer = input_.map.swimmer(result_.unknowns.head(input_.map.size()));
-      ExactDisplacements      compared(fewer, input_.data.conditions, {.n_threads = input_.n_threads, .by = {}});
-      const Eigen::VectorXd   all = exact_.evaluate(swimmer, false).value_m;
-      const Displacements    &few = compared.evaluate(swimmer, false);
-      if (few.failed() || all.size() != few.value_m.size())
-        return false;
-      const Eigen::VectorXd indicator = (all - few.value_m).cwiseAbs().cwiseQuotient(all.cwiseAbs()) / usual;
-      if (indicator.maxCoeff() <= 1.)
-        return false;
-      result_.error =
-          model_error(input_.reduced.record, input_.problem.model_error, input_.data, indicator.cwiseMax(1.));
-      return true;
-    }
   } // namespace
 
   Misfit misfit_of(const FitInput &input, const Estimate &estimate)

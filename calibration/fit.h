@@ -32,17 +32,20 @@ namespace swimtwin
     ModelError      error;
     double          noise_scale = 1.;
 
-    Eigen::MatrixXd starts;  ///< p x n
-    Multistart      search;  ///< on the table
-    Minimum         refined; ///< the best one, with exact displacements
-    bool            polished    = false;
-    double          polish_step = 0.; ///< largest change of a scaled parameter
+    Eigen::MatrixXd starts;              ///< p x n
+    Multistart      search;              ///< on a table that holds all bounds
+    Minimum         refined;             ///< the best one, on a table around the estimate
+    bool            polished    = false; ///< exact displacements and sensitivities see the minimum there, too
+    double          polish_step = 0.;    ///< by which they would still move a scaled parameter
     double          misfit      = 0.;
     /// Largest cosine between the rows and a column of derivatives that no bound holds: zero at a minimum.
-    double      kkt_residual         = 0.;
-    double      integrator_tolerance = 0.;
-    double      table_error          = 0.; ///< of the search's table
-    long        n_runs               = 0;
+    double kkt_residual         = 0.;
+    double integrator_tolerance = 0.;
+    double table_error          = 0.; ///< of the search's table, see DisplacementTable
+    long   n_runs               = 0;
+
+    std::shared_ptr<DisplacementTable> local; ///< around the estimate
+
     Information information;
     Prediction  prediction; ///< with derivatives
 
