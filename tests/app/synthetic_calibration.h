@@ -51,7 +51,11 @@ namespace swimtwin
     result.bands.push_back(band);
     for (const double f : {0.2, 0.28, 0.37, 0.47, 0.58, 0.72, 0.9, 1.1, 1.35, 1.7, 2.1, 2.6})
     {
-      ObservationResidual residual{name, f, 0., 0.02 * synthetic_curve(f, peak_Hz), synthetic_curve(f, peak_Hz)};
+      ObservationResidual residual;
+      residual.data_set     = name;
+      residual.frequency_Hz = f;
+      residual.predicted    = synthetic_curve(f, peak_Hz);
+      residual.sigma        = 0.02 * residual.predicted;
       residual.standardised = unit(noise);
       residual.observed     = residual.predicted + residual.sigma * residual.standardised;
       result.residuals.push_back(residual);
