@@ -20,7 +20,7 @@ namespace swimtwin
     {
       std::string text = result.status;
       for (const CalibratedParameter &parameter : result.parameters)
-        if (parameter.role != ParameterRole::fixed && parameter.interval().is_finite())
+        if (parameter.role != ParameterRole::fixed && !parameter.undetermined && parameter.interval().is_finite())
         {
           const ShownQuantity shown = shown_quantity(parameter.name, parameter.value);
           text += fmt::format("; {} = {} ({})", shown.label(), plain_number(shown.factor * parameter.value, 4),

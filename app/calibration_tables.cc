@@ -41,9 +41,13 @@ namespace swimtwin
                          plain_number(shown.factor * parameter.upper, n_digits));
     }
 
-    std::string interval_cell(const ClaimedInterval &interval, const ShownQuantity &shown)
+    /// Nothing is claimed for a parameter that the data do not determine.
+    std::string interval_cell(const CalibratedParameter &parameter, const ClaimedInterval &interval,
+                              const ShownQuantity &shown)
     {
-      return interval.method.empty() ? none : interval_text(interval, shown);
+      if (interval.method.empty())
+        return none;
+      return parameter.undetermined ? "not bounded" : interval_text(interval, shown);
     }
 
     std::vector<HtmlCell> parameter_row(const CalibratedParameter &parameter)
@@ -54,9 +58,9 @@ namespace swimtwin
               {role_of(parameter)},
               {plain_number(shown.factor * parameter.value, n_digits)},
               {known ? plain_number(shown.factor * *parameter.standard_error, n_digits_rounded) : none},
-              {interval_cell(parameter.profile, shown)},
-              {interval_cell(parameter.bootstrap, shown)},
-              {interval_cell(parameter.curvature, shown)},
+              {interval_cell(parameter, parameter.profile, shown)},
+              {interval_cell(parameter, parameter.bootstrap, shown)},
+              {interval_cell(parameter, parameter.curvature, shown)},
               {bounds_of(parameter, shown)},
               {prior_of(parameter, shown)}};
     }

@@ -40,7 +40,6 @@ namespace swimtwin
     CalibratedParameter &parameter = result.parameters[0];
     parameter.undetermined         = true;
     parameter.profile              = {"profile", std::nullopt, std::nullopt, "The misfit stays below the threshold."};
-    parameter.bootstrap            = {};
     parameter.curvature            = {};
     result.null_directions.push_back({Eigen::Vector3d(0.71, 0.71, 1e-6), 1e-9, false, "E, μ and M scale together."});
     const std::string text  = page_of(result);
@@ -48,6 +47,9 @@ namespace swimtwin
     EXPECT_EQ(cells[0], "undetermined");
     EXPECT_EQ(cells[2], "–");
     EXPECT_EQ(cells[3], "not bounded");
+    EXPECT_EQ(cells[4], "not bounded"); // though the bootstrap scatters between the bounds
+    EXPECT_EQ(cells[5], "–");
+    EXPECT_EQ(text.find("E/μ (10³/s) ="), std::string::npos);
     expect_in(text, "E/μ, profile: The misfit stays below the threshold.");
     const auto null = cells_of(text, "E/μ +0.71, M/μ +0.71");
     ASSERT_EQ(null.size(), 3u);

@@ -128,13 +128,16 @@ namespace swimtwin
   {
     std::mt19937      noise(1);
     CalibrationResult result;
-    result.status               = "converged";
-    result.chi_squared          = 21.4;
-    result.misfit               = 9.87;
-    result.n_observations       = 24;
-    result.n_degrees_of_freedom = 24 - n_parameters;
-    result.kkt_residual         = 3e-9;
-    result.loss                 = "least-squares";
+    result.status                    = "converged";
+    result.chi_squared               = 21.4;
+    result.misfit                    = 9.87;
+    result.n_observations            = 24;
+    result.n_degrees_of_freedom      = 24 - n_parameters;
+    result.kkt_residual              = 3e-9;
+    result.loss                      = "least-squares";
+    result.swimmer.young_modulus_Pa  = 8e4;
+    result.swimmer.viscosity_Pa_s    = 1.52;
+    result.swimmer.magnetization_A_m = 2e5;
     const std::vector<CalibratedParameter> all{
         synthetic_parameter("young_modulus_over_viscosity_1_s", 52631.6, 0.012),
         synthetic_parameter("magnetization_over_viscosity_A_m_Pa_s", 131579., 0.014),
