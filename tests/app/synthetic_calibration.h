@@ -51,7 +51,11 @@ namespace swimtwin
     result.bands.push_back(band);
     for (const double f : {0.2, 0.28, 0.37, 0.47, 0.58, 0.72, 0.9, 1.1, 1.35, 1.7, 2.1, 2.6})
     {
-      ObservationResidual residual{name, f, 0., 0.02 * synthetic_curve(f, peak_Hz), synthetic_curve(f, peak_Hz)};
+      ObservationResidual residual;
+      residual.data_set     = name;
+      residual.frequency_Hz = f;
+      residual.predicted    = synthetic_curve(f, peak_Hz);
+      residual.sigma        = 0.02 * residual.predicted;
       residual.standardised = unit(noise);
       residual.observed     = residual.predicted + residual.sigma * residual.standardised;
       result.residuals.push_back(residual);
@@ -124,13 +128,16 @@ namespace swimtwin
   {
     std::mt19937      noise(1);
     CalibrationResult result;
-    result.status               = "converged";
-    result.chi_squared          = 21.4;
-    result.misfit               = 9.87;
-    result.n_observations       = 24;
-    result.n_degrees_of_freedom = 24 - n_parameters;
-    result.kkt_residual         = 3e-9;
-    result.loss                 = "least-squares";
+    result.status                    = "converged";
+    result.chi_squared               = 21.4;
+    result.misfit                    = 9.87;
+    result.n_observations            = 24;
+    result.n_degrees_of_freedom      = 24 - n_parameters;
+    result.kkt_residual              = 3e-9;
+    result.loss                      = "least-squares";
+    result.swimmer.young_modulus_Pa  = 8e4;
+    result.swimmer.viscosity_Pa_s    = 1.52;
+    result.swimmer.magnetization_A_m = 2e5;
     const std::vector<CalibratedParameter> all{
         synthetic_parameter("young_modulus_over_viscosity_1_s", 52631.6, 0.012),
         synthetic_parameter("magnetization_over_viscosity_A_m_Pa_s", 131579., 0.014),
