@@ -129,11 +129,12 @@ namespace swimtwin
 
       void describe_fit()
       {
-        result_.level                = input_.problem.level;
-        result_.swimmer              = input_.map.swimmer(estimate_.x());
-        result_.swimmer.noise_scale  = estimate_.noise_scale;
-        result_.n_observations       = input_.data.n();
-        result_.n_degrees_of_freedom = input_.data.n() - input_.map.size();
+        result_.level               = input_.problem.level;
+        result_.swimmer             = input_.map.swimmer(estimate_.x());
+        result_.swimmer.noise_scale = estimate_.noise_scale;
+        result_.n_observations      = input_.data.n();
+        result_.n_degrees_of_freedom =
+            input_.data.n() - input_.map.size() + static_cast<int>(estimate_.information.undecided.cols());
         result_.misfit               = estimate_.misfit;
         result_.chi_squared          = estimate_.information.residual.squaredNorm();
         result_.kkt_residual         = estimate_.kkt_residual;
