@@ -65,13 +65,13 @@ do for [k=0:int(n_profiles)-1] {
   eval(panel)
   threshold = value(sprintf('threshold_%d', k))
   set xrange [value(sprintf('low_%d', k)):value(sprintf('high_%d', k))]
-  set xtics value(sprintf('step_%d', k))
+  if (value(sprintf('logarithmic_%d', k))) { set logscale x; set xtics autofreq } else { unset logscale x; set xtics value(sprintf('step_%d', k)) }
   set yrange [0:2.6*threshold]
   set xlabel value(sprintf('name_%d', k))
-  set ylabel (column == 0 ? 'misfit above its minimum (×2)' : '')
+  set ylabel (column == 0 ? '2 × misfit increase' : '')
   unset key
   set arrow 1 from graph 0, first threshold to graph 1, first threshold nohead dt (6,5) lw 1.2 lc rgb note_color
-  set label 3 level at graph 0.985, first 1.06*threshold right font ',15' tc rgb note_color
+  set label 3 level at graph 0.985, first threshold right offset 0,0.55 font ',15' tc rgb note_color
   plot data index 4*k+1 using 1:2 with lines lw 1.4 dt (3,4) lc rgb note_color notitle, \
        data index 4*k using 1:2 with linespoints pt 7 ps 0.8 lw 2.2 lc rgb head_color notitle, \
        data index 4*k+2 using 1:2 with impulses lw 1.4 lc rgb tail_color notitle, \
@@ -109,6 +109,8 @@ plot data index 0 using 1:2:(0):($3-$2) with vectors nohead lw 0.8 lc rgb pale_c
   const std::string_view pairs = R"gp(
 set multiplot
 n = int(n_parameters)
+small = n > 4 ? ',13' : (n > 2 ? ',16' : ',19')
+tic_font = n > 3 ? ',15' : ',19'
 gap = n > 3 ? 0.014 : 0.022
 wide = (0.875 - gap*(n - 1)) / n
 tall = (0.735 - gap*(n - 1)) / n
@@ -119,14 +121,14 @@ do for [b=0:n-1] { do for [a=0:b] {
   eval(panel)
   unset key
   set xrange [value(sprintf('low_%d', a)):value(sprintf('high_%d', a))]
-  set xtics value(sprintf('step_%d', a))
+  set xtics value(sprintf('step_%d', a)) font tic_font
   set format x (b == n-1 ? '%g' : '')
-  set xlabel (b == n-1 ? value(sprintf('name_%d', a)) : '') font (n > 2 ? ',16' : ',19')
+  set xlabel (b == n-1 ? value(sprintf('short_%d', a)) : '') font small
   x_0 = value(sprintf('estimate_%d', a))
   if (a == b) {
     set yrange [0:*]
     unset ytics
-    set label 3 (b == 0 ? 'count' : '') at screen 0.022, 0.5*(top + bottom) center rotate by 90 font (n > 2 ? ',16' : ',19') tc rgb text_color
+    set label 3 (b == 0 ? 'count' : '') at screen 0.022, 0.5*(top + bottom) center rotate by 90 font small tc rgb text_color
     set offsets 0,0,graph 0.08,0
     set arrow 1 from first x_0, graph 0 to first x_0, graph 1 nohead lw 1.4 lc rgb tail_color
     plot data index 1 + a using 1:2 with boxes lc rgb head_color fs transparent solid 0.35 noborder
@@ -134,9 +136,9 @@ do for [b=0:n-1] { do for [a=0:b] {
     y_0 = value(sprintf('estimate_%d', b))
     set offsets 0,0,0,0
     set yrange [value(sprintf('low_%d', b)):value(sprintf('high_%d', b))]
-    set ytics value(sprintf('step_%d', b)) out nomirror scale 0.5 textcolor rgb text_color
+    set ytics value(sprintf('step_%d', b)) out nomirror scale 0.5 textcolor rgb text_color font tic_font
     set format y (a == 0 ? '%g' : '')
-    set label 3 (a == 0 ? value(sprintf('name_%d', b)) : '') at screen 0.022, 0.5*(top + bottom) center rotate by 90 font (n > 2 ? ',16' : ',19') tc rgb text_color
+    set label 3 (a == 0 ? value(sprintf('short_%d', b)) : '') at screen 0.022, 0.5*(top + bottom) center rotate by 90 font small tc rgb text_color
     set arrow 1 from first x_0, graph 0 to first x_0, graph 1 nohead lw 0.8 lc rgb tail_color
     set arrow 2 from graph 0, first y_0 to graph 1, first y_0 nohead lw 0.8 lc rgb tail_color
     plot data index 0 using (column(a+1)):(column(b+1)) with points pt 7 ps 0.55 lc rgb '#991d4e89', \

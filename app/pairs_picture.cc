@@ -57,6 +57,14 @@ namespace swimtwin
       return shown;
     }
 
+    /// Where there is little room.
+    std::string short_label(const ShownQuantity &quantity)
+    {
+      constexpr std::string_view word  = "displacement";
+      std::string                label = quantity.label();
+      return label.starts_with(word) ? "displ." + label.substr(word.size()) : label;
+    }
+
     void add_samples(GnuplotPicture &picture, const std::vector<ShownParameter> &parameters)
     {
       picture.table.begin_block("bootstrap estimates, one column per parameter");
@@ -120,6 +128,7 @@ namespace swimtwin
     for (std::size_t k = 0; k < n; ++k)
     {
       set_parameter_axis(picture, k, parameters[k].quantity, parameters[k].span, n > 3 ? 3. : 5.);
+      picture.set_text(fmt::format("short_{}", k), short_label(parameters[k].quantity));
       picture.set(fmt::format("estimate_{}", k), parameters[k].estimate);
     }
     add_samples(picture, parameters);

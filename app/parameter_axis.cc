@@ -39,6 +39,7 @@ namespace swimtwin
                           const double n_ticks)
   {
     picture.set_text(fmt::format("name_{}", k), shown.label());
+    picture.set_flag(fmt::format("logarithmic_{}", k), span.low > 0. && span.high > 10. * span.low);
     picture.set(fmt::format("low_{}", k), span.low);
     picture.set(fmt::format("high_{}", k), span.high);
     picture.set(fmt::format("step_{}", k), tick_step(span, n_ticks));

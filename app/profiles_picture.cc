@@ -60,7 +60,8 @@ namespace swimtwin
       for (std::size_t i = 0; i < profile.value.size(); ++i)
         if (profile.misfit_increase[i] < 3. * profile.threshold)
           span.include(factor * profile.value[i]);
-      return widened(span, 0.06);
+      const bool decades = span.low > 0. && span.high > 10. * span.low;
+      return decades ? Span{span.low / 1.2, span.high * 1.2} : widened(span, 0.06);
     }
 
     void add_profile(GnuplotPicture &picture, const CalibrationResult &result, const std::size_t k,

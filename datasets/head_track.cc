@@ -60,6 +60,10 @@ namespace swimtwin
     const std::vector<double> y_m    = finite_cells(table, "y_m", "m", own);
     const std::vector<double> angle_rad =
         table.has_column("angle_rad") ? finite_cells(table, "angle_rad", "rad", own) : std::vector<double>();
+    if (recording != nullptr && table.has_column("frequency_Hz"))
+      own.warning(
+          fmt::format("{}: the column frequency_Hz is not used; the [[recording]] says {} Hz for the whole file.",
+                      table.where_header(), recording->frequency_Hz));
     std::vector<HeadTrack> tracks;
     const auto             groups = rows_by_frequency(table, recording, own);
     if (!own.has_errors() && groups.empty())

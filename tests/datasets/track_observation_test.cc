@@ -254,6 +254,17 @@ namespace swimtwin
               "head_first = [0, 0] has no direction");
   }
 
+  TEST(TrackFile, RecordingOverridesAColumnOfFrequenciesAndSaysSo)
+  {
+    const TemporaryFolder folder;
+    const auto      file = folder.write("a.csv", "time_s,x_m,y_m,frequency_Hz\n" + track_csv(swimming(50., 6.), true));
+    DataProblems    problems;
+    const Recording recording{file, 0.7, 0., std::nullopt, ""};
+    const auto      tracks = head_tracks(CsvTable::read(file), &recording, 0., problems);
+    EXPECT_EQ(tracks.at(0).frequency_Hz, 0.7);
+    expect_in(problems.all().at(0).text, "the column frequency_Hz is not used; the [[recording]] says 0.7 Hz");
+  }
+
   TEST(TrackFile, RefusesOneFrequencyTwice)
   {
     ObservationFiles files("", track_sidecar +
