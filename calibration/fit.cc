@@ -136,6 +136,19 @@ namespace swimtwin
         return std::move(result_);
       }
 
+      Estimate run_near(const std::shared_ptr<DisplacementTable> &table, const Eigen::VectorXd &x)
+      {
+        result_.local = table;
+        result_.unknowns.setZero(input_.map.size() + result_.error.n_components());
+        result_.unknowns.head(x.size()) = x;
+        polish(result_.unknowns);
+        describe(table->evaluate(swimmer(), true));
+        const Eigen::VectorXd step = remaining_step();
+        result_.polish_step        = step.head(x.size()).lpNorm<Eigen::Infinity>();
+        result_.polished           = in_standard_deviations(step) <= settled && table->covers(swimmer());
+        return std::move(result_);
+      }
+
     private:
       void show(const std::string &what, const double done) const
       {
@@ -450,5 +463,10 @@ namespace swimtwin
   Estimate fit(const FitInput &input)
   {
     return Fitting(input).run();
+  }
+
+  Estimate fit_near(const FitInput &input, const std::shared_ptr<DisplacementTable> &table, const Eigen::VectorXd &x)
+  {
+    return Fitting(input).run_near(table, x);
   }
 } // namespace swimtwin

@@ -55,6 +55,10 @@ namespace swimtwin
   /// Throws InputError if no start could be computed.
   Estimate fit(const FitInput &input);
 
+  /// The minimum near a start on a table that is there already, for many data sets observed under the same conditions:
+  /// neither a search of the bounds nor exact displacements. The table must reach far enough.
+  Estimate fit_near(const FitInput &input, const std::shared_ptr<DisplacementTable> &table, const Eigen::VectorXd &x);
+
   /// The misfit of an estimate: its model error and noise level.
   Misfit misfit_of(const FitInput &input, const Estimate &estimate);
   /// Least squares for a misfit, in its unknowns; `source` and `misfit` must live as long. The components of the
