@@ -158,7 +158,7 @@ namespace swimtwin
     text_ += fmt::format("{}# {}\n", text_.empty() ? "" : "\n\n", columns);
   }
 
-  void GnuplotTable::add_row(const std::initializer_list<double> values)
+  void GnuplotTable::add_row(const std::vector<double> &values)
   {
     std::string_view separator;
     for (const double value : values)

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -15,7 +14,7 @@ namespace swimtwin
   {
   public:
     void begin_block(std::string_view columns);
-    void add_row(std::initializer_list<double> values);
+    void add_row(const std::vector<double> &values);
 
     const std::string &text() const { return text_; }
 

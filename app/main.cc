@@ -19,6 +19,7 @@ int main(int argc, char **argv)
                    {"train", add_train},
                    {"sweep", add_sweep},
                    {"reconstruct", add_reconstruct},
+                   {"calibrate", add_calibrate},
                    {"report", add_report},
                    {"demo", add_demo}});
 }

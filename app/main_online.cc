@@ -4,5 +4,9 @@
 int main(int argc, char **argv)
 {
   using namespace swimtwin;
-  return run_tool(argc, argv, {{"sweep", add_sweep}, {"reconstruct", add_reconstruct}, {"report", add_report}});
+  return run_tool(argc, argv,
+                  {{"sweep", add_sweep},
+                   {"reconstruct", add_reconstruct},
+                   {"calibrate", add_calibrate},
+                   {"report", add_report}});
 }

@@ -1,4 +1,6 @@
 // Verb report: a page that shows the results in a folder.
+#include <app/calibration_pictures.h>
+#include <app/calibration_report.h>
 #include <app/frequency_picture.h>
 #include <app/plots.h>
 #include <app/run_report.h>
@@ -45,6 +47,17 @@ namespace swimtwin
       }
     };
 
+    struct CalibrationFolder
+    {
+      std::string       name;
+      CalibrationResult result;
+    };
+
+    bool can_be_drawn(const CalibrationFolder & /*fit*/)
+    {
+      return true;
+    }
+
     bool can_be_drawn(const RunFolder &run)
     {
       return run.scene && !run.trajectory.empty();
@@ -64,6 +77,11 @@ namespace swimtwin
     {
       return draw_pictures(folder, {frequency_picture(sweep.curves, sweep.name)}, fmt::format("sweep {}", sweep.name),
                            warning);
+    }
+
+    std::vector<fs::path> draw(const CalibrationFolder &fit, const fs::path &folder, std::string &warning)
+    {
+      return draw_pictures(folder, calibration_pictures(fit.result), fmt::format("fit {}", fit.name), warning);
     }
 
     template <typename Results>
@@ -88,6 +106,11 @@ namespace swimtwin
     HtmlPage page_of(const SweepFolder &sweep, const Illustrations &illustrations, const fs::path &folder)
     {
       return sweep_page(sweep, illustrations, folder);
+    }
+
+    HtmlPage page_of(const CalibrationFolder &fit, const Illustrations &illustrations, const fs::path & /*folder*/)
+    {
+      return calibration_page(fit.result, fit.name, illustrations);
     }
 
     void warn(const std::string &warning)
@@ -121,6 +144,10 @@ namespace swimtwin
       CommonOptions common = options.common;
       if (common.output.empty())
         common.output = options.folder;
+      if (is_calibration(options.folder))
+        return write_page(CalibrationFolder{folder_name(options.folder),
+                                            read_calibration_result(options.folder / "calibration.json")},
+                          common);
       if (!is_run(options.folder))
         return write_page(read_sweep(options.folder), common);
       const RunFolder run = read_run(options.folder);
@@ -132,7 +159,7 @@ namespace swimtwin
   Work add_report(CLI::App &tool, const std::string &command_line)
   {
     auto  options = std::make_shared<ReportOptions>();
-    auto *verb    = tool.add_subcommand("report", "Show the results of a run or a sweep on one page (report.html)");
+    auto *verb = tool.add_subcommand("report", "Show the results of a run, a sweep or a fit on one page (report.html)");
     verb->add_option("folder", options->folder, "Folder of the results; the page goes there unless --output is given")
         ->required();
     add_output_options(*verb, options->common, OutputFolder::optional);

@@ -45,6 +45,7 @@ namespace swimtwin
   Work add_simulate(CLI::App &tool, const std::string &command_line);
   Work add_resistance(CLI::App &tool, const std::string &command_line);
   Work add_train(CLI::App &tool, const std::string &command_line);
+  Work add_calibrate(CLI::App &tool, const std::string &command_line);
   Work add_sweep(CLI::App &tool, const std::string &command_line);
   Work add_reconstruct(CLI::App &tool, const std::string &command_line);
   Work add_report(CLI::App &tool, const std::string &command_line);

@@ -23,16 +23,30 @@ namespace swimtwin
       return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(blanks) - first + 1);
     }
 
+    /// Where the cell that starts at `begin` ends: at the next comma outside double quotes, or at the end.
+    std::size_t end_of_cell(const std::string &line, const std::size_t begin)
+    {
+      bool quoted = false;
+      for (std::size_t i = begin; i < line.size(); ++i)
+      {
+        quoted ^= line[i] == '"';
+        if (line[i] == ',' && !quoted)
+          return i;
+      }
+      return line.size();
+    }
+
+    std::string without_quotes(const std::string &cell)
+    {
+      const bool quoted = cell.size() >= 2 && cell.front() == '"' && cell.back() == '"';
+      return quoted ? trim(cell.substr(1, cell.size() - 2)) : cell;
+    }
+
     std::vector<std::string> split_cells(const std::string &line)
     {
       std::vector<std::string> cells;
-      std::size_t              begin = 0;
-      for (std::size_t comma = line.find(','); comma != std::string::npos; comma = line.find(',', begin))
-      {
-        cells.push_back(trim(line.substr(begin, comma - begin)));
-        begin = comma + 1;
-      }
-      cells.push_back(trim(line.substr(begin)));
+      for (std::size_t begin = 0; begin <= line.size(); begin = end_of_cell(line, begin) + 1)
+        cells.push_back(without_quotes(trim(line.substr(begin, end_of_cell(line, begin) - begin))));
       return cells;
     }
 
@@ -61,6 +75,15 @@ namespace swimtwin
 
   CsvTable CsvTable::read(const std::filesystem::path &file)
   {
+    std::vector<std::string> problems;
+    CsvTable                 table = read(file, problems);
+    if (!problems.empty())
+      throw InputError(problems.front());
+    return table;
+  }
+
+  CsvTable CsvTable::read(const std::filesystem::path &file, std::vector<std::string> &left_out)
+  {
     CsvTable           table;
     std::istringstream stream(read_text_file(file, "the table"));
     table.file_      = file.string();
@@ -80,10 +103,11 @@ namespace swimtwin
         table.header_line_ = line;
         continue;
       }
-      if (row.cells.size() != table.header_.size())
-        throw InputError(fmt::format("{}:{}: this row has {} values but the header names {} columns.", table.file_,
-                                     line, row.cells.size(), table.header_.size()));
-      table.rows_.push_back(std::move(row));
+      if (row.cells.size() == table.header_.size())
+        table.rows_.push_back(std::move(row));
+      else
+        left_out.push_back(fmt::format("{}:{}: this row has {} values but the header names {} columns.", table.file_,
+                                       line, row.cells.size(), table.header_.size()));
     }
     if (table.header_.empty())
       throw InputError(fmt::format("{}:1: the file is empty; a header line of column names is needed.", table.file_));
@@ -103,25 +127,46 @@ namespace swimtwin
     return find_column(name).has_value();
   }
 
+  std::size_t CsvTable::require_column(const std::string &name) const
+  {
+    if (const std::optional<std::size_t> index = find_column(name))
+      return *index;
+    throw InputError(
+        fmt::format("{}: the column {} is missing; the header has {}.", where_header(), name, fmt::join(header_, ",")));
+  }
+
   std::string CsvTable::where(const std::size_t row) const
   {
-    return fmt::format("{}:{}", file_, row < rows_.size() ? rows_[row].line : header_line_);
+    return row < rows_.size() ? fmt::format("{}:{}", file_, rows_[row].line) : where_header();
+  }
+
+  std::string CsvTable::where_header() const
+  {
+    return fmt::format("{}:{}", file_, header_line_);
+  }
+
+  std::optional<double> CsvTable::number(const std::size_t row, const std::string &name) const
+  {
+    return parse_number(rows_.at(row).cells[require_column(name)]);
+  }
+
+  std::string CsvTable::quote(const std::size_t row, const std::string &name) const
+  {
+    const std::size_t index = require_column(name);
+    return fmt::format("{} (column {}) = \"{}\"", name, index + 1, rows_.at(row).cells[index]);
   }
 
   std::vector<double> CsvTable::column(const std::string &name) const
   {
-    const std::optional<std::size_t> index = find_column(name);
-    if (!index)
-      throw InputError(fmt::format("{}:{}: the column {} is missing; the header has {}.", file_, header_line_, name,
-                                   fmt::join(header_, ",")));
+    const std::size_t   index = require_column(name);
     std::vector<double> values;
     values.reserve(rows_.size());
     for (const Row &row : rows_)
     {
-      const std::optional<double> value = parse_number(row.cells[*index]);
+      const std::optional<double> value = parse_number(row.cells[index]);
       if (!value)
         throw InputError(
-            fmt::format("{}:{}: {} = \"{}\" is not a finite number.", file_, row.line, name, row.cells[*index]));
+            fmt::format("{}:{}: {} = \"{}\" is not a finite number.", file_, row.line, name, row.cells[index]));
       values.push_back(*value);
     }
     return values;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <sstream>
 
 namespace swimtwin
@@ -42,6 +43,17 @@ namespace swimtwin
       std::ostringstream stream;
       node.visit([&](const auto &value) { stream << value; });
       return stream.str();
+    }
+
+    const toml::node *child_of(const toml::node &node, const std::string &key)
+    {
+      if (const toml::table *table = node.as_table())
+        return table->get(key);
+      std::size_t        index      = 0;
+      const char        *end        = key.data() + key.size();
+      const auto         conversion = std::from_chars(key.data(), end, index);
+      const toml::array *array      = node.as_array();
+      return array != nullptr && conversion.ptr == end ? array->get(index) : nullptr;
     }
 
     toml::table parse_toml(const std::string_view text, const std::string &name)
@@ -119,8 +131,7 @@ namespace swimtwin
     const toml::node *node = &root_;
     for (const std::string &key : split_path(path))
     {
-      const toml::table *table = node->as_table();
-      node                     = table == nullptr ? nullptr : table->get(key);
+      node = child_of(*node, key);
       if (node == nullptr)
         return nullptr;
     }

@@ -17,7 +17,7 @@ namespace swimtwin
     /// InputError for text that is not TOML (with line and column) and for an override without a key or a place.
     TomlDocument(std::string_view text, std::string name, const std::vector<std::string> &overrides);
 
-    /// The entry at a dotted path, or nullptr. The empty path is the whole document.
+    /// The entry at a dotted path, or nullptr; a number steps into an array. The empty path is the whole document.
     const toml::node *find(const std::string &path) const;
     /// Add or replace a text entry of an existing table.
     void set_text(const std::string &table, const std::string &key, const std::string &value);

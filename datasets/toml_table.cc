@@ -150,9 +150,9 @@ namespace swimtwin
     target = static_cast<int>(value);
   }
 
-  void TomlTable::flag(const std::string &key, bool &target)
+  void TomlTable::flag(const std::string &key, bool &target, const Need need)
   {
-    const toml::node *node = entry(key, Need::optional, "true or false");
+    const toml::node *node = entry(key, need, "true or false");
     if (node == nullptr)
       return;
     if (!node->is_boolean())
@@ -160,9 +160,9 @@ namespace swimtwin
     target = *node->value<bool>();
   }
 
-  void TomlTable::text(const std::string &key, std::string &target)
+  void TomlTable::text(const std::string &key, std::string &target, const Need need)
   {
-    const toml::node *node = entry(key, Need::optional, "a text in quotes");
+    const toml::node *node = entry(key, need, "a text in quotes");
     if (node == nullptr)
       return;
     if (!node->is_string())
@@ -193,20 +193,27 @@ namespace swimtwin
     return std::nullopt;
   }
 
-  void TomlTable::finish() const
+  std::vector<std::string> TomlTable::problems() const
   {
     if (!present())
-      return;
+      return {};
+    std::vector<std::string> sentences;
     for (const auto &[key, node] : *table_)
       if (const std::string word(key.str()); std::find(known_.begin(), known_.end(), word) == known_.end())
       {
         const std::string kind   = node.is_table() ? "table" : "entry";
         const std::string prefix = path_.empty() ? "" : fmt::format("[{}] ", path_);
-        throw InputError(fmt::format("{}: {}{} is not a known {}; the nearest known name is {}.",
-                                     document_.where(join_path(path_, word)), prefix, word, kind,
-                                     nearest_name(word, known_)));
+        sentences.push_back(fmt::format("{}: {}{} is not a known {}; the nearest known name is {}.",
+                                        document_.where(join_path(path_, word)), prefix, word, kind,
+                                        nearest_name(word, known_)));
       }
-    if (!problems_.empty())
-      throw InputError(problems_.front());
+    sentences.insert(sentences.end(), problems_.begin(), problems_.end());
+    return sentences;
+  }
+
+  void TomlTable::finish() const
+  {
+    if (const std::vector<std::string> sentences = problems(); !sentences.empty())
+      throw InputError(sentences.front());
   }
 } // namespace swimtwin

@@ -53,8 +53,8 @@ namespace swimtwin
     /// An array of two numbers.
     void pair(const std::string &key, const Quantity &quantity, std::array<double, 2> &target);
     void integer(const std::string &key, const Quantity &quantity, int &target);
-    void flag(const std::string &key, bool &target);
-    void text(const std::string &key, std::string &target);
+    void flag(const std::string &key, bool &target, Need need = Need::optional);
+    void text(const std::string &key, std::string &target, Need need = Need::optional);
     /// Declare a sub-table, to be read by a TomlTable of its own.
     void table(const std::string &key);
     /// One of the words of Names<Enum> (datasets/scene_names.h).
@@ -68,15 +68,19 @@ namespace swimtwin
         target = names[*index].second;
     }
 
+    /// A problem of our own with an entry: a sentence that follows `key = value`.
+    void note(const std::string &key, const std::string &problem);
+
     /// Throw InputError for the first unknown key, else for the first other problem.
     void finish() const;
+    /// All of them, unknown keys first.
+    std::vector<std::string> problems() const;
 
   private:
     const toml::node          *entry(const std::string &key, Need need, const std::string &expected);
     std::optional<double>      read_number(const std::string &key, const toml::node &node, const Quantity &quantity);
     std::optional<std::size_t> choose(const std::string &key, Need need, const std::vector<std::string> &words);
     void                       wrong_type(const std::string &key, const std::string &expected);
-    void                       note(const std::string &key, const std::string &problem);
 
     const TomlDocument      &document_;
     std::string              path_;

@@ -1,0 +1,175 @@
+// Verb calibrate: fit the swimmer to displacement-frequency data, and say what the data cannot tell.
+#include <app/calibration_files.h>
+#include <app/fitted_scene.h>
+#include <app/full_order_run.h>
+#include <app/progress_bar.h>
+#include <app/verb.h>
+
+#include <calibration/calibrate.h>
+#include <datasets/csv_table.h>
+#include <datasets/error.h>
+#include <datasets/output_folder.h>
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <memory>
+
+namespace swimtwin
+{
+  namespace
+  {
+    struct CalibrateCommand
+    {
+      CommonOptions            common;
+      std::string              model, problem;
+      std::vector<std::string> data;
+      int                      n_threads = 0, n_checks = 0;
+    };
+
+    double now_s()
+    {
+      return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+    }
+
+    std::vector<ObservationSet> read_data(const CalibrateCommand &command, const CalibrationProblem &problem)
+    {
+      std::vector<std::filesystem::path> files(command.data.begin(), command.data.end());
+      if (files.empty())
+        files = problem.data;
+      if (files.empty())
+        throw InputError(fmt::format("{} names no data = [...] and no --data is given; give at least one CSV of "
+                                     "observations.",
+                                     command.problem));
+      std::vector<ObservationSet> sets;
+      for (const auto &file : files)
+        sets.push_back(read_observations(file));
+      return sets;
+    }
+
+    void require_full_order_model(const int n_checks)
+    {
+      if (n_checks > 0 && !has_full_order_model())
+        throw InputError("--verify needs the full-order model, which this build does not have; use a full build or "
+                         "leave it out.");
+    }
+
+    CalibrationOptions options_of(const CalibrateCommand &command, const ReducedModel &model, ProgressBar &bar)
+    {
+      CalibrationOptions options;
+      options.n_threads  = command.n_threads;
+      options.n_checks   = command.n_checks;
+      options.full_order = [&model, &command, n = 0](const CalibratedSwimmer &swimmer,
+                                                     const SwimmingCondition &condition) mutable {
+        const FieldProgram field = FieldProgram::sinusoidal(
+            condition.drive.parameters[0], condition.drive.parameters[1], condition.drive.frequency_Hz);
+        return full_order_displacement_m(scene_of_observation(model, swimmer, field, condition.period),
+                                         command.common.output / fmt::format("full-order/{}", ++n));
+      };
+      const double start  = now_s();
+      options.on_progress = [&bar, start](const std::string &, const double done) {
+        bar.show(static_cast<int>(100 * done), 100, static_cast<int>(100 * done), now_s() - start);
+      };
+      return options;
+    }
+
+    std::string bound_text(const std::optional<double> &bound)
+    {
+      return bound ? fmt::format("{:.5g}", *bound) : "open";
+    }
+
+    std::string parameter_table(const CalibrationResult &result)
+    {
+      std::string text = fmt::format("  {:<38} {:>12}   {:g} % interval\n", "parameter", "value", 100. * result.level);
+      for (const CalibratedParameter &p : result.parameters)
+      {
+        if (p.role == ParameterRole::fixed)
+          continue;
+        const ClaimedInterval &i = p.interval();
+        text += fmt::format("  {:<38} {:>12.5g}   {}\n", p.name, p.value,
+                            p.undetermined ? "none: not determined by the data"
+                                           : fmt::format("{} to {}  ({})", bound_text(i.low), bound_text(i.high),
+                                                         p.role == ParameterRole::derived ? "derived" : i.method));
+      }
+      return text;
+    }
+
+    std::string story(const CalibrationResult &result)
+    {
+      std::string text =
+          fmt::format("  status       {}: {}\n{}", result.status, result.message, parameter_table(result));
+      text += fmt::format("  misfit       chi^2 = {:.4g} for {} observations and {} degrees of freedom\n",
+                          result.chi_squared, result.n_observations, result.n_degrees_of_freedom);
+      for (const NullDirection &null : result.null_directions)
+        text += fmt::format("  null         {}{}\n", null.reading, null.has_prior ? " (a prior decides it)" : "");
+      if (result.next)
+        text += fmt::format("  next         an observation at {:.4g} Hz ({}) shortens the interval of {} to {:.3g} of "
+                            "its length\n",
+                            result.next->best_frequency_Hz, result.next->data_set, result.next->parameter,
+                            result.next->best_interval_ratio);
+      if (!result.discrepancy.verdict.empty())
+        text += fmt::format("  full order   {}\n", result.discrepancy.verdict);
+      return text;
+    }
+
+    void complete(const CalibrateCommand &command, const ReducedModel &model, const CalibrationProblem &problem,
+                  const std::vector<ObservationSet> &sets, const double wall_time_s, CalibrationResult &result)
+    {
+      const Scene scene   = parse_scene(model.scene_text, model.scene_name + ".toml");
+      result.model_file   = find_model(command.model).string();
+      result.scene_name   = model.scene_name;
+      result.problem_text = problem.text;
+      for (const ObservationSet &set : sets)
+        result.data_files.push_back(set.file.string());
+      result.provenance = {SWIMTWIN_VERSION, command.common.command_line, scene.text, scene.hash, utc_time_now(),
+                           wall_time_s};
+    }
+
+    void calibrate_and_report(const CalibrateCommand &command)
+    {
+      const CommonOptions &common = command.common;
+      require_full_order_model(command.n_checks);
+      const ReducedModel                model   = read_reduced_model(find_model(command.model));
+      const CalibrationProblem          problem = read_calibration_problem(command.problem);
+      const std::vector<ObservationSet> sets    = read_data(command, problem);
+      prepare_output_folder(common.output, calibration_file_names(), common.force);
+      const double      start = now_s();
+      CalibrationResult result;
+      {
+        ProgressBar bar(common.quiet);
+        result = calibrate(model, problem, sets, options_of(command, model, bar));
+      }
+      complete(command, model, problem, sets, now_s() - start, result);
+      write_calibration_files(common.output, result, fitted_scene(model, result.swimmer, sets.front()));
+      for (const std::string &warning : result.warnings)
+        fmt::print(stderr, "swimtwin: warning: {}\n", warning);
+      if (!common.quiet)
+        fmt::print("{}  fit in {:.3g} s, uncertainty in {:.3g} s, {} runs of the reduced swimmer\n  results in {}\n",
+                   story(result), result.fit_time_s, result.uncertainty_time_s, result.n_runs, common.output.string());
+      if (result.status == "stalled")
+        throw ComputationError(fmt::format("the fit did not converge: {}; see {}", result.message,
+                                           (common.output / calibration_result_name).string()));
+    }
+  } // namespace
+
+  Work add_calibrate(CLI::App &tool, const std::string &command_line)
+  {
+    auto  command = std::make_shared<CalibrateCommand>();
+    auto *verb = tool.add_subcommand("calibrate", "Fit the swimmer to displacement-frequency data on a reduced model");
+    verb->add_option("model", command->model, "Reduced model (model.h5), or name of a shipped one")->required();
+    verb->add_option("problem", command->problem, "What is free, and within which bounds (TOML)")->required();
+    verb->add_option("--data", command->data, "Observations (CSV, repeatable), instead of those the problem names")
+        ->type_name("FILE")
+        ->allow_extra_args(false);
+    verb->add_option("--threads", command->n_threads, "0: as many as the machine has")
+        ->check(CLI::NonNegativeNumber)
+        ->take_last();
+    verb->add_option("--verify", command->n_checks, "Runs of the full-order model at the estimate (about 15 s each)")
+        ->check(CLI::NonNegativeNumber)
+        ->take_last();
+    add_output_options(*verb, command->common, OutputFolder::required);
+    command->common.command_line = command_line;
+    return [command] { calibrate_and_report(*command); };
+  }
+} // namespace swimtwin

@@ -1,0 +1,20 @@
+// Pictures of a fit.
+#pragma once
+
+#include <app/gnuplot.h>
+#include <datasets/calibration_result.h>
+
+#include <vector>
+
+namespace swimtwin
+{
+  /// Data, curve and bands against frequency, residuals below; needs residuals.
+  GnuplotPicture fit_picture(const CalibrationResult &result);
+  /// Misfit where each start began and where it ended; needs starts.
+  GnuplotPicture waterfall_picture(const CalibrationResult &result);
+  /// What one more observation would do; needs `next`.
+  GnuplotPicture next_experiment_picture(const CalibrationResult &result);
+
+  /// Those that the result has numbers for: fit, profiles, pairs, waterfall, next_experiment.
+  std::vector<GnuplotPicture> calibration_pictures(const CalibrationResult &result);
+} // namespace swimtwin

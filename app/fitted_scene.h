@@ -1,0 +1,19 @@
+// The scene of a calibrated swimmer, ready for `simulate`.
+#pragma once
+
+#include <datasets/calibration_result.h>
+#include <datasets/observation_set.h>
+#include <datasets/reduced_model.h>
+#include <datasets/scene.h>
+
+namespace swimtwin
+{
+  /// The model's scene with the swimmer's stiffness, viscosity, magnetization and lengths, in the field of the data set
+  /// at the swimmer's place. Displacement scale and offset belong to the recording and do not enter.
+  Scene fitted_scene(const ReducedModel &model, const CalibratedSwimmer &swimmer, const ObservationSet &set);
+
+  /// The same lengths as the model's scene, one observation's frequency and period: what the full-order model is to
+  /// check. Throws InputError for a data set without a sinusoidal field or of the periodic state.
+  Scene scene_of_observation(const ReducedModel &model, const CalibratedSwimmer &swimmer, const FieldProgram &field,
+                             std::optional<int> period);
+} // namespace swimtwin

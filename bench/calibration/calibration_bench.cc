@@ -1,0 +1,192 @@
+// Coverage of 95 % intervals in 400 synthetic fits, and the time of one fit:
+//   bench_calibration coverage MODEL.h5 [number of fits]
+//   bench_calibration time MODEL.h5
+#include <calibration/calibrate.h>
+#include <datasets/error.h>
+#include <datasets/parallel_for.h>
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <ctime>
+#include <random>
+
+namespace
+{
+  using namespace swimtwin;
+
+  constexpr double true_young_modulus_Pa = 8e4, true_magnetization_A_m = 1.3e5, relative_noise = 0.02;
+
+  double wall_time_s()
+  {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  }
+  double cpu_time_s()
+  {
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+  }
+
+  /// Frequencies of the reference field, evenly spread in their logarithm; displacements are set later.
+  ObservationSet conditions(const int n, const double low_Hz, const double high_Hz)
+  {
+    ObservationSet set;
+    set.name  = "synthetic";
+    set.field = FieldProgram::sinusoidal(5e-3, 5e-3, 1.);
+    for (int i = 0; i < n; ++i)
+      set.points.push_back({low_Hz * std::pow(high_Hz / low_Hz, i / (n - 1.)), 1e-6, 1e-6, "", 0, 0., 0.});
+    return set;
+  }
+
+  CalibrationProblem two_ratios()
+  {
+    CalibrationProblem problem;
+    FreeParameter      stiffness, magnet;
+    stiffness.quantity  = FittedQuantity::young_modulus_over_viscosity;
+    stiffness.lower     = 2e4;
+    stiffness.upper     = 2e5;
+    magnet.quantity     = FittedQuantity::magnetization_over_viscosity;
+    magnet.lower        = 5e4;
+    magnet.upper        = 1.5e5;
+    problem.free        = {stiffness, magnet};
+    problem.model_error = 0.; // the truth is the reduced model itself
+    return problem;
+  }
+
+  CalibratedSwimmer truth_of(const CalibrationModel &model)
+  {
+    CalibratedSwimmer truth = model.nominal;
+    truth.young_modulus_Pa  = true_young_modulus_Pa;
+    truth.magnetization_A_m = true_magnetization_A_m;
+    return truth;
+  }
+
+  /// Displacements of the truth, with noise of 2 % of each drawn by the seed.
+  void observe(const Eigen::VectorXd &displacement_m, const unsigned int seed, CalibrationData &data)
+  {
+    std::mt19937_64                  engine(seed);
+    std::normal_distribution<double> normal;
+    data.sigma_m = relative_noise * displacement_m.cwiseAbs();
+    for (int i = 0; i < data.n(); ++i)
+      data.observed_m[i] = displacement_m[i] + data.sigma_m[i] * normal(engine);
+  }
+
+  struct Coverage
+  {
+    int curvature[2] = {0, 0}, profile[2] = {0, 0}, n_failed = 0;
+  };
+
+  bool holds(const ClaimedInterval &interval, const double value)
+  {
+    return interval.is_finite() && *interval.low <= value && value <= *interval.high;
+  }
+
+  void count(const FitInput &input, const std::shared_ptr<DisplacementTable> &table, const Eigen::VectorXd &truth,
+             Coverage &coverage)
+  {
+    const double   factor   = coverage_factor(0.95, false, input.data.n() - 2);
+    const Estimate estimate = fit_near(input, table, truth);
+    coverage.n_failed += estimate.polished ? 0 : 1;
+    for (int j = 0; j < 2; ++j)
+    {
+      const double value = input.map.value(j, truth[j]);
+      coverage.curvature[j] += holds(curvature_interval(input, estimate, j, factor), value);
+      coverage.profile[j] += holds(profile_of(input, estimate, j, factor).interval, value);
+    }
+  }
+
+  void measure_coverage(const ReducedModel &reduced, const int n_fits)
+  {
+    const CalibrationModel   model(reduced);
+    const CalibrationProblem problem = two_ratios();
+    const CalibrationData    data    = calibration_data({conditions(12, 0.1, 2.5)});
+    const ParameterMap       map(problem, model.nominal, 1e-4);
+    const CalibratedSwimmer  truth = truth_of(model);
+    ExactDisplacements       exact(model, data.conditions, {.relative_tolerance = 1e-9, .n_threads = 2, .by = {}});
+    const Eigen::VectorXd    displacement = exact.evaluate(truth, false).value_m;
+
+    const Eigen::VectorXd                    x = map.nominal().NullaryExpr(2, [&](const Eigen::Index j) {
+      return map.scaled(static_cast<int>(j), value_of(map.free()[static_cast<std::size_t>(j)].quantity, truth));
+    });
+    std::string                              failure;
+    const std::shared_ptr<DisplacementTable> table = DisplacementTable::make(
+        model, data.conditions,
+        map.group_box(MotionGroups(model), (x.array() - 0.3).matrix(), (x.array() + 0.3).matrix()),
+        {.relative_tolerance = 1e-8, .interpolation_error = 1e-5, .n_threads = 2}, failure);
+    fmt::print("table: interpolation error {:.1e}\n", table->interpolation_error());
+    Coverage   total;
+    std::mutex adding;
+    parallel_for(static_cast<std::size_t>(n_fits), 2, [&] {
+      return [&](const std::size_t i) {
+        CalibrationData observed = data;
+        observe(displacement, static_cast<unsigned int>(i + 1), observed);
+        Coverage       own;
+        const FitInput input{model, reduced, problem, observed, map, 1};
+        count(input, std::shared_ptr<DisplacementTable>(table->copy()), x, own);
+        const std::lock_guard lock(adding);
+        for (int j = 0; j < 2; ++j)
+        {
+          total.curvature[j] += own.curvature[j];
+          total.profile[j] += own.profile[j];
+        }
+        total.n_failed += own.n_failed;
+      };
+    });
+    fmt::print("{} fits (seeds 1 to {}), 12 frequencies, 2 % noise; 95 % intervals that hold the truth:\n"
+               "  E/mu: {} by profile, {} by curvature\n  M/mu: {} by profile, {} by curvature\n"
+               "  fits that did not converge: {}\n",
+               n_fits, n_fits, total.profile[0], total.curvature[0], total.profile[1], total.curvature[1],
+               total.n_failed);
+  }
+
+  void measure_time(const ReducedModel &reduced)
+  {
+    const CalibrationModel model(reduced);
+    ObservationSet         set  = conditions(20, 0.1, 2.5);
+    CalibrationData        data = calibration_data({set});
+    ExactDisplacements     exact(model, data.conditions, {.relative_tolerance = 1e-9, .n_threads = 2, .by = {}});
+    observe(exact.evaluate(truth_of(model), false).value_m, 1, data);
+    for (std::size_t i = 0; i < set.points.size(); ++i)
+    {
+      set.points[i].displacement_m = data.observed_m[static_cast<Eigen::Index>(i)];
+      set.points[i].sigma_m        = data.sigma_m[static_cast<Eigen::Index>(i)];
+    }
+    const double            wall = wall_time_s(), cpu = cpu_time_s();
+    const CalibrationResult result = calibrate(reduced, two_ratios(), {set}, {.n_threads = 2});
+    fmt::print(
+        "2 free ratios, 20 frequencies, {} starts, 2 threads: fit {:.2f} s, profiles, {} bootstrap fits, band and "
+        "next experiment {:.2f} s; all {:.2f} s of wall time, {:.2f} s of CPU time\n"
+        "  {} runs of the reduced swimmer, status {}\n",
+        result.starts.size(), result.fit_time_s, result.bootstrap.rows(), result.uncertainty_time_s,
+        wall_time_s() - wall, cpu_time_s() - cpu, result.n_runs, result.status);
+    for (const CalibratedParameter &p : result.parameters)
+      if (p.role == ParameterRole::free)
+        fmt::print("  {}: {:.5g}, profile {:.5g} to {:.5g}, bootstrap {:.5g} to {:.5g}\n", p.name, p.value,
+                   p.profile.low.value_or(NAN), p.profile.high.value_or(NAN), p.bootstrap.low.value_or(NAN),
+                   p.bootstrap.high.value_or(NAN));
+  }
+} // namespace
+
+int main(int argc, char **argv)
+{
+  if (argc < 3 || (std::strcmp(argv[1], "coverage") != 0 && std::strcmp(argv[1], "time") != 0))
+  {
+    fmt::print(stderr, "usage: bench_calibration coverage|time MODEL.h5 [number of fits]\n");
+    return 2;
+  }
+  try
+  {
+    const ReducedModel model = read_reduced_model(argv[2]);
+    if (std::strcmp(argv[1], "coverage") == 0)
+      measure_coverage(model, argc > 3 ? std::atoi(argv[3]) : 400);
+    else
+      measure_time(model);
+    return 0;
+  }
+  catch (const InputError &error)
+  {
+    fmt::print(stderr, "bench_calibration: {}\n", error.what());
+    return 2;
+  }
+}

@@ -1,0 +1,178 @@
+#include <datasets/csv_table.h>
+#include <datasets/observation_sidecar.h>
+#include <datasets/toml_table.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace swimtwin
+{
+  namespace
+  {
+    constexpr Range at_least_one{1., infinity, false, false, "be at least 1"};
+    constexpr Range above_freezing{-50., 150., false, false, "lie between -50 and 150"};
+
+    void note_all(const TomlTable &table, DataProblems &problems)
+    {
+      for (const std::string &text : table.problems())
+        problems.error(text);
+    }
+
+    enum class Settled { periodic };
+    constexpr std::array<std::pair<std::string_view, Settled>, 1> settled_words{{{"periodic", Settled::periodic}}};
+
+    /// `period = 3`, or `period = "periodic"`.
+    void read_period(const TomlDocument &document, TomlTable &table, std::optional<int> &period)
+    {
+      const toml::node *node = document.find("period");
+      if (node != nullptr && node->is_string())
+      {
+        Settled settled = Settled::periodic;
+        return table.choice("period", Need::required, settled_words, settled);
+      }
+      int number = 1;
+      table.integer("period", {"", at_least_one, Need::required}, number);
+      period = number;
+    }
+
+    void read_words(TomlTable &table, const std::string &key, std::string &target)
+    {
+      table.text(key, target, Need::required);
+      if (table.has(key) && target.empty())
+        table.note(key, "is empty; say it in a few words.");
+    }
+
+    void read_top_level(const TomlDocument &document, ObservationSidecar &sidecar, DataProblems &problems)
+    {
+      TomlTable table(document, "");
+      read_words(table, "source", sidecar.source);
+      table.flag("synthetic", sidecar.synthetic, Need::required);
+      read_words(table, "swimmer", sidecar.swimmer);
+      read_words(table, "measured_by", sidecar.measured_by);
+      read_period(document, table, sidecar.period);
+      table.number("body_length_m", {"m", positive}, sidecar.body_length_m);
+      for (const char *name : {"fluid", "field", "camera", "recording"})
+        table.table(name);
+      note_all(table, problems);
+    }
+
+    void read_fluid(const TomlDocument &document, ObservationSidecar &sidecar, DataProblems &problems)
+    {
+      TomlTable table(document, "fluid");
+      table.number("temperature_C", {"degrees Celsius", above_freezing}, sidecar.temperature_C);
+      note_all(table, problems);
+      if (!sidecar.temperature_C && !sidecar.synthetic)
+        problems.warning(fmt::format("{}: [fluid] temperature_C is missing; the viscosity of glycerol falls by 9 % per "
+                                     "degree, so measure it with the next data.",
+                                     document.where("fluid")));
+    }
+
+    void read_program(const TomlDocument &document, TomlTable &table, ObservationSidecar &sidecar,
+                      DataProblems &problems)
+    {
+      std::string program;
+      double      period_s = 0.;
+      table.text("program", program);
+      table.number("period_s", {"s", positive, Need::required}, period_s);
+      for (const char *other : {"bx_T", "by_T"})
+        if (table.has(other))
+          problems.error(document.sentence("field", other,
+                                           "contradicts the program; keep one of them, bx_T and by_T or program."));
+      if (table.problems().empty())
+        problems.attempt(
+            [&] { sidecar.field = FieldProgram::read_csv(sidecar.file.parent_path() / program, period_s); });
+    }
+
+    void read_field(const TomlDocument &document, ObservationSidecar &sidecar, DataProblems &problems)
+    {
+      TomlTable table(document, "field");
+      if (!table.present())
+        return problems.error(fmt::format(
+            "{}: the table [field] is missing; add bx_T and by_T of B = (bx, by sin 2 pi f t), or a program.",
+            document.where("")));
+      double bx_T = 0., by_T = 0.;
+      if (table.has("program"))
+        read_program(document, table, sidecar, problems);
+      const Need need = table.has("program") ? Need::optional : Need::required;
+      table.number("bx_T", {"T", any_number, need}, bx_T);
+      table.number("by_T", {"T", any_number, need}, by_T);
+      if (!table.has("program"))
+      {
+        std::string none;
+        table.text("program", none);
+        sidecar.field = FieldProgram::sinusoidal(bx_T, by_T, 1.);
+        if (bx_T == 0. && by_T == 0. && table.problems().empty())
+          problems.error(document.sentence("field", "by_T", "is 0, and so is bx_T; without a field nothing swims."));
+      }
+      note_all(table, problems);
+    }
+
+    void read_camera(const TomlDocument &document, ObservationSidecar &sidecar, DataProblems &problems)
+    {
+      TomlTable table(document, "camera");
+      if (!table.present())
+        return;
+      Camera                camera;
+      std::array<double, 2> direction{};
+      table.pair("head_first", {"", any_number}, direction);
+      if (table.has("head_first"))
+        camera.head_first = direction;
+      if (camera.head_first && std::hypot(direction[0], direction[1]) == 0.)
+        table.note("head_first", "has no direction; [-1, 0] is a head to the left of its tail.");
+      table.number("position_sigma_m", {"m", positive}, camera.position_sigma_m);
+      table.number("pixel_m", {"m", positive}, camera.pixel_m);
+      table.number("frame_s", {"s", positive}, camera.frame_s);
+      table.number("period_start_s", {"s", any_number}, camera.period_start_s);
+      table.integer("skipped_periods", {"", not_negative}, camera.skipped_periods);
+      note_all(table, problems);
+      sidecar.camera = camera;
+    }
+
+    void read_recording(const TomlDocument &document, const std::string &path, ObservationSidecar &sidecar,
+                        DataProblems &problems)
+    {
+      TomlTable   table(document, path);
+      Recording   recording;
+      std::string file;
+      int         track_id = 0;
+      read_words(table, "file", file);
+      table.number("frequency_Hz", {"Hz", positive, Need::required}, recording.frequency_Hz);
+      recording.period_start_s = sidecar.camera ? sidecar.camera->period_start_s.value_or(0.) : 0.;
+      table.number("period_start_s", {"s", any_number}, recording.period_start_s);
+      table.integer("track_id", {"", any_number}, track_id);
+      if (table.has("track_id"))
+        recording.track_id = track_id;
+      recording.file  = sidecar.file.parent_path() / file;
+      recording.where = document.where(path);
+      note_all(table, problems);
+      sidecar.recordings.push_back(recording);
+    }
+
+    void read_recordings(const TomlDocument &document, ObservationSidecar &sidecar, DataProblems &problems)
+    {
+      const toml::node *node = document.find("recording");
+      if (node == nullptr)
+        return;
+      if (!node->is_array_of_tables())
+        return problems.error(document.sentence("", "recording", "must be tables: write [[recording]] above each."));
+      for (std::size_t i = 0; i < node->as_array()->size(); ++i)
+        read_recording(document, fmt::format("recording.{}", i), sidecar, problems);
+    }
+  } // namespace
+
+  ObservationSidecar read_observation_sidecar(const std::filesystem::path &file, DataProblems &problems)
+  {
+    ObservationSidecar sidecar;
+    sidecar.file = file;
+    problems.attempt([&] {
+      const TomlDocument document(read_text_file(file, "the sidecar"), file.string(), {});
+      read_top_level(document, sidecar, problems);
+      read_fluid(document, sidecar, problems);
+      read_field(document, sidecar, problems);
+      read_camera(document, sidecar, problems);
+      read_recordings(document, sidecar, problems);
+    });
+    return sidecar;
+  }
+} // namespace swimtwin
