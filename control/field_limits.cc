@@ -81,10 +81,9 @@ namespace swimtwin
       if (negative(inward) >= lowest)
         return begin + best * step;
     }
-    constexpr int bits = 24; // half the digits of the place give all those of the value
-    const auto [place, found] =
-        boost::math::tools::brent_find_minima(negative, begin + std::max(0, best - 1) * step,
-                                              begin + std::min(samples_per_arc, best + 1) * step, bits);
+    constexpr int bits        = 24; // half the digits of the place give all those of the value
+    const auto [place, found] = boost::math::tools::brent_find_minima(
+        negative, begin + std::max(0, best - 1) * step, begin + std::min(samples_per_arc, best + 1) * step, bits);
     return found < lowest ? place : begin + best * step;
   }
 

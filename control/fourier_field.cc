@@ -43,7 +43,7 @@ namespace swimtwin
 
   Eigen::VectorXd sinusoid_coefficients(const FourierField &field, const double bx_T, const double by_T)
   {
-    Eigen::VectorXd coefficients                  = Eigen::VectorXd::Zero(field.series().n_coefficients());
+    Eigen::VectorXd coefficients            = Eigen::VectorXd::Zero(field.series().n_coefficients());
     coefficients[field.series().bias(0)]    = bx_T;
     coefficients[field.series().sine(1, 1)] = by_T;
     return coefficients;

@@ -13,6 +13,7 @@ namespace swimtwin
   namespace
   {
     constexpr double negligible_multiplier = 1e-3; // its slopes would be lost in the integrator's error
+    constexpr int    max_periods_waited    = 50;   // a search has no use for motions that hardly settle
 
     std::vector<Parameter> start_and(const std::vector<Parameter> &variables, const int n_modes)
     {
@@ -54,7 +55,9 @@ namespace swimtwin
 
   StrokeFinder::StrokeFinder(const ReducedSwimmer &swimmer, const StrokeOptions &options)
       : swimmer_(swimmer), options_(options), scale_(scale_of_start(swimmer)),
-        orbits_(swimmer, {.relative_tolerance = options.relative_tolerance, .closure = options.closure}),
+        orbits_(swimmer, {.relative_tolerance = options.relative_tolerance,
+                          .closure            = options.closure,
+                          .max_periods        = max_periods_waited}),
         plain_(swimmer, {.relative_tolerance = options.relative_tolerance}),
         differentiated_(swimmer, {.relative_tolerance = options.relative_tolerance,
                                   .sensitivities      = start_and(options.variables, swimmer.n_modes())})
@@ -64,11 +67,11 @@ namespace swimtwin
   Stroke StrokeFinder::find(const RunRequest &request, const bool with_slopes)
   {
     Stroke stroke;
-    stroke.request            = request;
-    stroke.request.n_periods  = 1;
-    stroke.orbit              = orbits_.find(request);
-    stroke.n_periods          = stroke.orbit.n_periods;
-    stroke.failure            = stroke.orbit.failure;
+    stroke.request           = request;
+    stroke.request.n_periods = 1;
+    stroke.orbit             = orbits_.find(request);
+    stroke.n_periods         = stroke.orbit.n_periods;
+    stroke.failure           = stroke.orbit.failure;
     if (!stroke.orbit.converged())
       return stroke;
     stroke.request.initial_state      = stroke.orbit.start;
@@ -146,14 +149,14 @@ namespace swimtwin
       stroke.slopes.growths.row(k).setZero();
       if (std::abs(lambda) < negligible_multiplier)
         continue;
-      const bool                 second_of_pair =
+      const bool second_of_pair =
           k > 0 && std::conj(lambda) == stroke.orbit.floquet_multipliers[static_cast<std::size_t>(k) - 1];
       if (second_of_pair && lambda.imag() != 0.)
       {
         stroke.slopes.growths.row(k) = stroke.slopes.growths.row(k - 1);
         continue;
       }
-      const Eigen::VectorXcd r      = eigenvector(monodromy, lambda), l = eigenvector(monodromy.transpose(), lambda);
+      const Eigen::VectorXcd r = eigenvector(monodromy, lambda), l = eigenvector(monodromy.transpose(), lambda);
       Eigen::MatrixXcd       change = slopes_along(r.real(), start_slopes, stroke);
       if (lambda.imag() != 0.)
         change += i * slopes_along(r.imag(), start_slopes, stroke);

@@ -11,7 +11,7 @@ namespace swimtwin
   struct StrokeOptions
   {
     double relative_tolerance = 1e-7; ///< of the integration
-    double closure            = 1e-7; ///< of the periodic motion, as in OrbitOptions
+    double closure            = 1e-6; ///< of the periodic motion, as in OrbitOptions
     int    n_samples          = 48;   ///< instants per period at which the motion is kept
     int    n_multipliers      = 2;    ///< the largest ones whose slopes are wanted
     /// Of the motion, where multipliers are differentiated by differences of fourth order; rad or body lengths.
@@ -22,8 +22,8 @@ namespace swimtwin
   /// Derivatives by the options' variables, along the family of periodic motions.
   struct StrokeSlopes
   {
-    Eigen::MatrixXd              drift_m;     ///< 2 x n
-    std::vector<Eigen::MatrixXd> states;      ///< of the samples, (r + 3) x n each
+    Eigen::MatrixXd              drift_m; ///< 2 x n
+    std::vector<Eigen::MatrixXd> states;  ///< of the samples, (r + 3) x n each
     Eigen::MatrixXd              growths; ///< n_multipliers x n; zero for multipliers below 1e-3
   };
 
@@ -32,9 +32,9 @@ namespace swimtwin
     std::string                  failure = "not run"; ///< one sentence; empty if the motion was found
     RunRequest                   request;             ///< of one period, from the motion's own start
     PeriodicOrbit                orbit;
-    std::vector<ReducedSnapshot> samples;     ///< at the phases i / n_samples, i < n_samples
-    Eigen::VectorXd              growths;     ///< |multiplier| per period, n_multipliers, the largest first
-    StrokeSlopes                 slopes;      ///< if asked for
+    std::vector<ReducedSnapshot> samples;       ///< at the phases i / n_samples, i < n_samples
+    Eigen::VectorXd              growths;       ///< |multiplier| per period, n_multipliers, the largest first
+    StrokeSlopes                 slopes;        ///< if asked for
     int                          n_periods = 0; ///< that were integrated
 
     bool found() const { return failure.empty(); }
