@@ -25,13 +25,14 @@ namespace swimtwin
         names_.push_back(
             fmt::format("{} <= {:.4g} {} near phase {:.3f}", name, bound, unit, static_cast<double>(arc) / n_arcs_));
     };
+    const Eigen::Matrix2d turn = Eigen::Rotation2Dd(limits.turn_rad).toRotationMatrix();
     add("|B|", Eigen::Matrix2d::Identity(), limits.magnitude_T, "T", false);
-    add("|bx|", Eigen::RowVector2d(1., 0.), limits.component_T[0], "T", false);
-    add("|by|", Eigen::RowVector2d(0., 1.), limits.component_T[1], "T", false);
+    add("|bx|", turn.row(0), limits.component_T[0], "T", false);
+    add("|by|", turn.row(1), limits.component_T[1], "T", false);
     add("|dB/dt|", Eigen::Matrix2d::Identity(), limits.slew_rate_T_s, "T/s", true);
     for (Eigen::Index coil = 0; coil < limits.current_per_field_A_T.rows(); ++coil)
-      add(fmt::format("current of coil {}", coil + 1), limits.current_per_field_A_T.row(coil), limits.current_A, "A",
-          false);
+      add(fmt::format("current of coil {}", coil + 1), limits.current_per_field_A_T.row(coil) * turn, limits.current_A,
+          "A", false);
   }
 
   Eigen::VectorXd LimitedField::limited(const Bound &bound, const double phase, const Eigen::VectorXd &coefficients,

@@ -21,6 +21,9 @@ namespace swimtwin
     /// Currents are this times (bx, by): n_coils x 2, A/T.
     Eigen::Matrix<double, Eigen::Dynamic, 2> current_per_field_A_T = {};
     double                                   current_A             = none; ///< of each coil
+    /// Components and currents are those of the field turned by this: a plan is made for one heading and played in
+    /// another.
+    double turn_rad = 0.;
   };
 
   /// Bounds on a field, each in the form value <= 0, with slopes by the coefficients and by the frequency (last).

@@ -15,8 +15,13 @@ namespace swimtwin
   {
     constexpr double part_around = 0.1; // of each variable's range, for starts around a field
 
-    void require_bounded(const SwimmingGoal &goal)
+    void require_possible(const ReducedModel &model, const SwimmingGoal &goal)
     {
+      if (goal.field.turn_rad != 0. && model.resistance.depends_on_angle)
+        throw InputError(
+            fmt::format("the model {} was trained between walls and knows one heading only; leave out [objective] "
+                        "direction_deg, or plan with a model whose domain moves with the swimmer (open-2d).",
+                        model.scene_name));
       if (!std::isfinite(largest_magnitude_T(goal.field)))
         throw InputError("the limits leave the field unbounded; give [limits] magnitude_T, or bx_T and by_T, or "
                          "coil currents of at least two coils.");
@@ -46,12 +51,14 @@ namespace swimtwin
         const auto start = std::chrono::steady_clock::now();
         measure_reference();
         tune_sinusoid();
+        measure_given();
         find_optimum();
         if (options_.gradient_free_budget > 0. && members_.empty())
           search_without_gradients();
         trade_off();
         measure_members();
         conclude();
+        turn_fields();
         result_.seed          = options_.seed;
         result_.search_time_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         return std::move(result_);
@@ -106,6 +113,8 @@ namespace swimtwin
       {
         tell("the optimal field");
         std::vector<FieldStart> starts = {tuned_};
+        if (options_.given)
+          starts.push_back({*options_.given, tuned_.state});
         for (const FieldStart &start :
              starts_around(tuned_, fields_, goal_, options_.n_starts, part_around, options_.seed))
           starts.push_back(start);
@@ -164,6 +173,12 @@ namespace swimtwin
         return point;
       }
 
+      void measure_given()
+      {
+        if (options_.given)
+          result_.fields.push_back(measured_field(given_field_name, task_, *options_.given, tuned_.state));
+      }
+
       void measure_members()
       {
         for (const SwimmerParameters &member : members_)
@@ -194,6 +209,24 @@ namespace swimtwin
         warn_of_bounds(best);
       }
 
+      /// From the heading of the search to that of the goal.
+      void turn_fields()
+      {
+        const Eigen::Rotation2Dd turn(goal_.field.turn_rad);
+        for (PlannedField &field : result_.fields)
+        {
+          for (std::size_t i = 0; i < field.bx_T.size(); ++i)
+          {
+            const Eigen::Vector2d b = turn * Eigen::Vector2d(field.bx_T[i], field.by_T[i]);
+            field.bx_T[i]           = b.x();
+            field.by_T[i]           = b.y();
+          }
+          if (!field.start.empty())
+            field.start[0] += goal_.field.turn_rad;
+        }
+        result_.heading_rad = goal_.heading_rad + goal_.field.turn_rad;
+      }
+
       void warn_of_bounds(const PlannedField &best)
       {
         constexpr double near = 1e-3;
@@ -220,7 +253,7 @@ namespace swimtwin
   PlanResult plan_field(const ReducedModel &model, const SwimmingGoal &goal, const Drive &reference,
                         const FieldPlanOptions &options, const std::vector<SwimmerParameters> &members)
   {
-    require_bounded(goal);
+    require_possible(model, goal);
     return Planner(model, goal, reference, options, members).plan();
   }
 } // namespace swimtwin

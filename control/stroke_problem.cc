@@ -61,6 +61,11 @@ namespace swimtwin
   void StrokeProblem::evaluate(const Eigen::VectorXd &x, const bool derivatives, const TermSizes &sizes,
                                Evaluation &evaluation)
   {
+    if (!x.allFinite())
+    {
+      evaluation.failure = "the search left the numbers";
+      return;
+    }
     const Stroke &now  = stroke(x, derivatives);
     evaluation.failure = now.failure;
     if (!now.found())

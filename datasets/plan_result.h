@@ -111,7 +111,8 @@ namespace swimtwin
   };
 
   inline constexpr const char *reference_field_name = "reference sinusoid", *tuned_field_name = "tuned sinusoid",
-                              *optimal_field_name = "optimal field", *gradient_free_field_name = "gradient-free";
+                              *optimal_field_name = "optimal field", *given_field_name = "given field",
+                              *gradient_free_field_name = "gradient-free";
   /// Largest difference of the gains of both models that counts as a confirmation.
   inline constexpr double confirming_difference = 0.1;
 
