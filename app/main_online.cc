@@ -4,5 +4,5 @@
 int main(int argc, char **argv)
 {
   using namespace swimtwin;
-  return run_tool(argc, argv, {{"sweep", add_sweep}, {"report", add_report}});
+  return run_tool(argc, argv, {{"sweep", add_sweep}, {"optimize", add_optimize}, {"report", add_report}});
 }

@@ -1,5 +1,7 @@
 // Verb report: a page that shows the results in a folder.
 #include <app/frequency_picture.h>
+#include <app/plan_pictures.h>
+#include <app/plan_report.h>
 #include <app/plots.h>
 #include <app/run_report.h>
 #include <app/sweep_report.h>
@@ -55,6 +57,16 @@ namespace swimtwin
       return !sweep.curves.empty();
     }
 
+    bool can_be_drawn(const PlanFolder &plan)
+    {
+      return !plan.plan.fields.empty();
+    }
+
+    std::vector<fs::path> draw(const PlanFolder &plan, const fs::path &folder, std::string &warning)
+    {
+      return draw_pictures(folder, plan_pictures(plan), fmt::format("plan {}", plan.name), warning);
+    }
+
     std::vector<fs::path> draw(const RunFolder &run, const fs::path &folder, std::string &warning)
     {
       return draw_run(folder, *run.scene, run.trajectory, run.record.summary, run.snapshots, warning);
@@ -83,6 +95,11 @@ namespace swimtwin
     HtmlPage page_of(const RunFolder &run, const Illustrations &illustrations, const fs::path & /*folder*/)
     {
       return run_page(run, illustrations);
+    }
+
+    HtmlPage page_of(const PlanFolder &plan, const Illustrations &illustrations, const fs::path & /*folder*/)
+    {
+      return plan_page(plan, illustrations);
     }
 
     HtmlPage page_of(const SweepFolder &sweep, const Illustrations &illustrations, const fs::path &folder)
@@ -121,6 +138,8 @@ namespace swimtwin
       CommonOptions common = options.common;
       if (common.output.empty())
         common.output = options.folder;
+      if (is_plan(options.folder))
+        return write_page(read_plan(options.folder), common);
       if (!is_run(options.folder))
         return write_page(read_sweep(options.folder), common);
       const RunFolder run = read_run(options.folder);

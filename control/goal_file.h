@@ -21,4 +21,8 @@ namespace swimtwin
   /// Entries that the file leaves out are the model's: swimmer, heading, trained range. Throws InputError with file,
   /// line, key, rule and remedy.
   GoalFile read_goal(const std::filesystem::path &file, const ReducedModel &model);
+
+  /// Swimmers of the goal's calibration, evenly taken from its sample; none without one. A scale of the field is one of
+  /// the magnetization. Throws InputError for a calibration without a sample.
+  std::vector<SwimmerParameters> members_of(const SwimmingGoal &goal);
 } // namespace swimtwin
