@@ -10,7 +10,7 @@ namespace swimtwin
 {
   struct ReplayOptions
   {
-    int periods          = 4;
+    int periods          = 3;
     int steps_per_period = 200;
   };
 

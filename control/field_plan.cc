@@ -108,21 +108,42 @@ namespace swimtwin
         result_.fields.push_back(measured_field(tuned_field_name, task_, found));
       }
 
-      /// On from the tuned sinusoid, and from around it.
+      /// On from the tuned sinusoid, and from around it; through the symmetric fields, which the sinusoid belongs to, to
+      /// the general ones.
       void find_optimum()
       {
         tell("the optimal field");
+        std::vector<FieldStart> starts = starts_of_optimum();
+        long                    spent  = 0;
+        if (goal_.family == FieldFamily::general)
+          starts.front() = symmetric_optimum(spent);
+        std::vector<FieldFound> found = search(fields_, starts);
+        found.front().n_periods += spent;
+        for (PlanTraceStep &step : found.front().trace)
+          step.n_periods += spent;
+        const FieldFound &best = best_of(found);
+        optimal_               = start_from(best, tuned_);
+        n_periods_of_best_     = best.n_periods;
+        result_.fields.push_back(measured_field(optimal_field_name, task_, found));
+      }
+
+      std::vector<FieldStart> starts_of_optimum() const
+      {
         std::vector<FieldStart> starts = {tuned_};
         if (options_.given)
           starts.push_back({*options_.given, tuned_.state});
         for (const FieldStart &start :
              starts_around(tuned_, fields_, goal_, options_.n_starts, part_around, options_.seed))
           starts.push_back(start);
-        const std::vector<FieldFound> found = search(fields_, starts);
-        const FieldFound             &best  = best_of(found);
-        optimal_                            = start_from(best, tuned_);
-        n_periods_of_best_                  = best.n_periods;
-        result_.fields.push_back(measured_field(optimal_field_name, task_, found));
+        return starts;
+      }
+
+      FieldStart symmetric_optimum(long &n_periods) const
+      {
+        const FieldVariables          symmetric(goal_.n_harmonics, FieldFamily::symmetric);
+        const std::vector<FieldFound> found = search(symmetric, {tuned_});
+        n_periods                           = found.front().n_periods;
+        return start_from(found.front(), tuned_);
       }
 
       static FieldStart start_from(const FieldFound &found, const FieldStart &otherwise)

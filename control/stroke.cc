@@ -1,6 +1,5 @@
+#include <control/multiplier_slopes.h>
 #include <control/stroke.h>
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <array>
@@ -29,15 +28,6 @@ namespace swimtwin
       Eigen::VectorXd scale = Eigen::VectorXd::Constant(swimmer.n_modes() + 1, swimmer.length_m());
       scale[0]              = 1.;
       return scale;
-    }
-
-    /// The eigenvector of the eigenvalue nearest to `value`, of unit length.
-    Eigen::VectorXcd eigenvector(const Eigen::MatrixXd &matrix, const std::complex<double> value)
-    {
-      const Eigen::EigenSolver<Eigen::MatrixXd> solver(matrix);
-      Eigen::Index                              nearest = 0;
-      (solver.eigenvalues().array() - value).abs().minCoeff(&nearest);
-      return solver.eigenvectors().col(nearest).normalized();
     }
 
     /// Orthonormal directions along which the area does not change: all of them in an open domain.
@@ -137,31 +127,20 @@ namespace swimtwin
     add_growth_slopes(map.leftCols(n), motion, stroke);
   }
 
-  /// d lambda = l dM r / (l r), and dM r is the derivative along r of Phi_u du + Phi_p dp.
+  /// dM r is the derivative along r of Phi_u du + Phi_p dp.
   void StrokeFinder::add_growth_slopes(const Eigen::MatrixXd &monodromy, const Eigen::MatrixXd &start_slopes,
                                        Stroke &stroke)
   {
-    constexpr std::complex<double> i(0., 1.);
-    stroke.slopes.growths.resize(stroke.growths.size(), start_slopes.cols());
+    const auto &multipliers = stroke.orbit.floquet_multipliers;
+    const auto  along       = [&](const Eigen::VectorXd &r) { return slopes_along(r, start_slopes, stroke); };
+    stroke.slopes.growths   = Eigen::MatrixXd::Zero(stroke.growths.size(), start_slopes.cols());
     for (Eigen::Index k = 0; k < stroke.growths.size() && stroke.found(); ++k)
     {
-      const std::complex<double> lambda = stroke.orbit.floquet_multipliers[static_cast<std::size_t>(k)];
-      stroke.slopes.growths.row(k).setZero();
-      if (std::abs(lambda) < negligible_multiplier)
-        continue;
-      const bool second_of_pair =
-          k > 0 && std::conj(lambda) == stroke.orbit.floquet_multipliers[static_cast<std::size_t>(k) - 1];
-      if (second_of_pair && lambda.imag() != 0.)
-      {
+      const std::complex<double> lambda = multipliers[static_cast<std::size_t>(k)];
+      if (k > 0 && lambda.imag() != 0. && std::conj(lambda) == multipliers[static_cast<std::size_t>(k) - 1])
         stroke.slopes.growths.row(k) = stroke.slopes.growths.row(k - 1);
-        continue;
-      }
-      const Eigen::VectorXcd r = eigenvector(monodromy, lambda), l = eigenvector(monodromy.transpose(), lambda);
-      Eigen::MatrixXcd       change = slopes_along(r.real(), start_slopes, stroke);
-      if (lambda.imag() != 0.)
-        change += i * slopes_along(r.imag(), start_slopes, stroke);
-      const std::complex<double> norm = (l.transpose() * r).value() * lambda / std::abs(lambda);
-      stroke.slopes.growths.row(k)    = (l.transpose() * change / norm).real();
+      else if (std::abs(lambda) >= negligible_multiplier)
+        stroke.slopes.growths.row(k) = multiplier_slopes(monodromy, lambda, along);
     }
   }
 
