@@ -12,4 +12,10 @@ namespace swimtwin::gnuplot_scripts
   extern const std::string_view power_balance;          ///< powers and their residual over time
   extern const std::string_view shapes;                 ///< outlines at some instants
   extern const std::string_view displacement_frequency; ///< curves of a sweep
+  extern const std::string_view planned_field;          ///< components over a period
+  extern const std::string_view hodograph;              ///< by against bx
+  extern const std::string_view head_path;              ///< in several fields
+  extern const std::string_view gains;                  ///< mean speeds as bars
+  extern const std::string_view trade_off;              ///< speed and gain against the multiplier allowed
+  extern const std::string_view search_trace;           ///< objective and violation by cost
 } // namespace swimtwin::gnuplot_scripts

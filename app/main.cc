@@ -20,6 +20,7 @@ int main(int argc, char **argv)
                    {"sweep", add_sweep},
                    {"reconstruct", add_reconstruct},
                    {"calibrate", add_calibrate},
+                   {"optimize", add_optimize},
                    {"report", add_report},
                    {"demo", add_demo}});
 }

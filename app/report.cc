@@ -2,6 +2,8 @@
 #include <app/calibration_pictures.h>
 #include <app/calibration_report.h>
 #include <app/frequency_picture.h>
+#include <app/plan_pictures.h>
+#include <app/plan_report.h>
 #include <app/plots.h>
 #include <app/run_report.h>
 #include <app/sweep_report.h>
@@ -68,6 +70,16 @@ namespace swimtwin
       return !sweep.curves.empty();
     }
 
+    bool can_be_drawn(const PlanFolder &plan)
+    {
+      return !plan.plan.fields.empty();
+    }
+
+    std::vector<fs::path> draw(const PlanFolder &plan, const fs::path &folder, std::string &warning)
+    {
+      return draw_pictures(folder, plan_pictures(plan), fmt::format("plan {}", plan.name), warning);
+    }
+
     std::vector<fs::path> draw(const RunFolder &run, const fs::path &folder, std::string &warning)
     {
       return draw_run(folder, *run.scene, run.trajectory, run.record.summary, run.snapshots, warning);
@@ -101,6 +113,11 @@ namespace swimtwin
     HtmlPage page_of(const RunFolder &run, const Illustrations &illustrations, const fs::path & /*folder*/)
     {
       return run_page(run, illustrations);
+    }
+
+    HtmlPage page_of(const PlanFolder &plan, const Illustrations &illustrations, const fs::path & /*folder*/)
+    {
+      return plan_page(plan, illustrations);
     }
 
     HtmlPage page_of(const SweepFolder &sweep, const Illustrations &illustrations, const fs::path &folder)
@@ -148,6 +165,8 @@ namespace swimtwin
         return write_page(CalibrationFolder{folder_name(options.folder),
                                             read_calibration_result(options.folder / "calibration.json")},
                           common);
+      if (is_plan(options.folder))
+        return write_page(read_plan(options.folder), common);
       if (!is_run(options.folder))
         return write_page(read_sweep(options.folder), common);
       const RunFolder run = read_run(options.folder);

@@ -33,6 +33,8 @@ namespace swimtwin
     Eigen::VectorXd state_at(double phase);
     /// d state / d parameter, one column each; SI.
     Eigen::MatrixXd sensitivities();
+    /// The same at a phase within the last step.
+    Eigen::MatrixXd sensitivities_at(double phase);
     /// Magnetic work and dissipation since the start (J/m).
     Eigen::Vector2d work();
 
@@ -44,6 +46,8 @@ namespace swimtwin
     void set_up_work();
     void start_sensitivities();
     void start_work();
+    /// As they stand in sensitivities_.
+    Eigen::MatrixXd unscaled_sensitivities() const;
 
     IntegratorOptions      options_;
     PhaseEquations         equations_;

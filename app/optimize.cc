@@ -1,0 +1,252 @@
+// Verb optimize: the field that swims fastest within what coils can play, and proof of it.
+#include <app/field_replay.h>
+#include <app/model_card.h>
+#include <app/number_text.h>
+#include <app/plan_files.h>
+#include <app/plan_pictures.h>
+#include <app/plan_report.h>
+#include <app/plots.h>
+#include <app/run_picture.h>
+#include <app/sweep_report.h>
+#include <app/value_list.h>
+#include <app/verb.h>
+
+#include <control/field_import.h>
+#include <control/goal_file.h>
+#include <control/gradient_check.h>
+#include <control/measured_field.h>
+#include <datasets/error.h>
+#include <datasets/output_folder.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+namespace swimtwin
+{
+  namespace
+  {
+    struct OptimizeCommand
+    {
+      CommonOptions common;
+      std::string   model, goal, trade_off;
+      ReplayOptions replay;
+      int           n_threads   = 0;
+      bool          with_replay = false, check_gradients = false, no_picture = false;
+    };
+
+    /// The goal's own field program, if it names one: warned of where its units are doubtful.
+    void import_program(GoalFile &file, std::vector<std::string> &warnings)
+    {
+      if (file.program.empty())
+        return;
+      const FieldProgram program = FieldProgram::read_csv(file.program, file.program_period_s);
+      for (const std::string &doubt : unit_doubts(program))
+        warnings.push_back(fmt::format("{}: {}", file.program.string(), doubt));
+      const ImportedField imported = import_field(program, file.goal.n_harmonics);
+      constexpr double    noticed  = 0.01; // of the largest field
+      const double        size     = imported.drive.parameters.lpNorm<Eigen::Infinity>();
+      if (imported.loss_T > noticed * size)
+        warnings.push_back(fmt::format("{}: {} harmonics leave up to {:.2g} T of it out", file.program.string(),
+                                       file.goal.n_harmonics, imported.loss_T));
+      file.options.given = imported.drive;
+    }
+
+    /// The scene's field if it is a sinusoid, else one of the same size.
+    Drive reference_drive(const Scene &scene)
+    {
+      const FieldProgram &field = scene.field;
+      if (field.waveform() == FieldProgram::Waveform::sinusoidal)
+        return make_drive(field);
+      constexpr double reference_T = 5e-3, reference_Hz = 0.8; // of the reference study
+      return make_drive(FieldProgram::sinusoidal(reference_T, reference_T, reference_Hz));
+    }
+
+    void print_checks(const std::vector<GradientCheck> &checks)
+    {
+      fmt::print("  derivative of            largest, per scale   off by (relative)\n");
+      for (const GradientCheck &check : checks)
+        fmt::print("  {:<32} {:>11.4g} {:>19.1e}\n", check.name, check.size, check.difference);
+    }
+
+    /// At a field between the reference sinusoid and none of its symmetries.
+    void check_and_print(const ReducedModel &model, const GoalFile &file, const Drive &reference)
+    {
+      const ReducedSwimmer  swimmer(model);
+      const FieldVariables  variables(file.goal.n_harmonics, file.goal.family);
+      const Eigen::VectorXd scale = field_box(variables, file.goal).scale;
+      Eigen::VectorXd       x     = variables.variables(reference);
+      for (Eigen::Index i = 0; i + 1 < x.size(); ++i)
+        x[i] += 0.3 * scale[i] * std::cos(3. * static_cast<double>(i)); // any numbers without a pattern
+      print_checks(check_gradients(model, swimmer, file.goal, variables, x));
+    }
+
+    /// One period more than is needed to see the drift.
+    void write_motions(const ReducedModel &model, const PlanResult &plan, const std::filesystem::path &folder)
+    {
+      constexpr int        periods = 6, samples = 60;
+      const ReducedSwimmer swimmer(model);
+      SwimmerIntegrator    integrator(swimmer, {});
+      std::filesystem::create_directories(folder);
+      for (const PlannedField &field : plan.fields)
+        if (field.moves)
+        {
+          const RunRequest request{{plan.young_modulus_Pa, plan.viscosity_Pa_s, plan.magnetization_A_m, 0.},
+                                   drive_of(field),
+                                   start_of(field),
+                                   periods,
+                                   samples};
+          write_trajectory_csv(folder / (file_name(field.name) + ".csv"), integrator.run(request).trajectory);
+        }
+    }
+
+    std::string field_table(const PlanResult &plan)
+    {
+      std::string text =
+          "  field               mean speed (um/s)   at (Hz)   multiplier   periods integrated   status\n";
+      for (const PlannedField &field : plan.fields)
+        if (field.moves)
+          text += fmt::format("  {:<18}  {:>17}  {:>8}  {:>11}  {:>19}   {}\n", field.name,
+                              plain_number(1e6 * field.mean_speed_m_s, 4), plain_number(field.frequency_Hz, 4),
+                              plain_number(field.multipliers.empty() ? 0. : field.multipliers.front(), 3),
+                              field.n_periods, field.status);
+        else
+          text += fmt::format("  {:<18}  {}: {}\n", field.name, field.status, field.message);
+      return text;
+    }
+
+    std::string trade_off_text(const PlanResult &plan)
+    {
+      std::string text;
+      for (const TradeOffPoint &point : plan.trade_off)
+        text += fmt::format("  multiplier up to {:<6.3g} tuned {:>7.4g}, optimal {:>7.4g} um/s: gain {:.3g}\n",
+                            point.largest_multiplier, 1e6 * point.tuned_speed_m_s, 1e6 * point.optimal_speed_m_s,
+                            point.optimal_speed_m_s / point.tuned_speed_m_s);
+      return text;
+    }
+
+    void draw_and_write_page(const OptimizeCommand &command, const PlanFolder &folder)
+    {
+      const CommonOptions &common = command.common;
+      Illustrations        illustrations;
+      if (!command.no_picture && gnuplot_is_installed())
+        illustrations.pictures = draw_pictures(common.output / "pictures", plan_pictures(folder), common.command_line,
+                                               illustrations.warning);
+      else if (!command.no_picture)
+        illustrations.warning =
+            "no picture was drawn because gnuplot is not installed; install it with `apt-get install gnuplot-nox`";
+      write_text_atomically(common.output / page_name, plan_page(folder, illustrations).text());
+      if (!illustrations.warning.empty())
+        fmt::print(stderr, "swimtwin: {}\n", illustrations.warning);
+    }
+
+    PlanResult make_plan(const OptimizeCommand &command, const ReducedModel &model, const Scene &scene, GoalFile &file)
+    {
+      std::vector<std::string> warnings;
+      import_program(file, warnings);
+      file.options.search.n_threads = command.n_threads;
+      if (!command.trade_off.empty())
+        file.options.trade_off = parse_values("--trade-off", command.trade_off, ValueRule::positive);
+      if (!command.common.quiet)
+        file.options.on_progress = [](const std::string &what) { fmt::print("  searching: {}\n", what); };
+      PlanResult plan = plan_field(model, file.goal, reference_drive(scene), file.options, members_of(file.goal));
+      plan.warnings.insert(plan.warnings.begin(), warnings.begin(), warnings.end());
+      plan.model_file        = find_model(command.model).string();
+      plan.scene_name        = model.scene_name;
+      plan.goal_text         = file.text;
+      plan.young_modulus_Pa  = file.goal.swimmer.young_modulus_Pa;
+      plan.viscosity_Pa_s    = file.goal.swimmer.viscosity_Pa_s;
+      plan.magnetization_A_m = file.goal.swimmer.magnetization_A_m;
+      plan.sample_rate_Hz    = file.sample_rate_Hz;
+      plan.provenance        = {SWIMTWIN_VERSION, command.common.command_line, scene.text, scene.hash,
+                                utc_time_now(),   plan.search_time_s};
+      return plan;
+    }
+
+    void write_field(const CommonOptions &common, const PlanResult &plan)
+    {
+      const PlannedField &best = *plan.find(optimal_field_name);
+      if (best.bx_T.empty())
+        return;
+      write_field_program(common.output / field_name, sampled_program(drive_of(best), plan.sample_rate_Hz),
+                          fmt::format("{}\n{}: {} ({})\nthe gain is {}", common.command_line, best.name, best.status,
+                                      best.message, plan.confirmation()));
+    }
+
+    bool is_usable(const PlanResult &plan)
+    {
+      return plan.status == "converged" || plan.status == "stalled" || plan.status == "budget exhausted";
+    }
+
+    void conclude(const OptimizeCommand &command, const PlanResult &plan)
+    {
+      for (const std::string &warning : plan.warnings)
+        fmt::print(stderr, "swimtwin: warning: {}\n", warning);
+      if (!command.common.quiet)
+        fmt::print("{}{}  gain {:.3g} over the tuned sinusoid, found in {:.3g} s\n  {}\n  results in {}\n",
+                   field_table(plan), trade_off_text(plan), plan.gain(), plan.search_time_s, plan.confirmation(),
+                   command.common.output.string());
+      if (!is_usable(plan))
+        throw ComputationError(fmt::format("no field was found ({}): {}", plan.status, plan.message));
+    }
+
+    void optimize(const OptimizeCommand &command)
+    {
+      const CommonOptions &common = command.common;
+      if (command.with_replay)
+        require_full_order_model();
+      const ReducedModel model = read_reduced_model(find_model(command.model));
+      const Scene        scene = parse_scene(model.scene_text, model.scene_name + ".toml");
+      GoalFile           file  = read_goal(command.goal, model);
+      if (command.check_gradients && is_speaker())
+        check_and_print(model, file, reference_drive(scene));
+      if (command.check_gradients)
+        return;
+      if (is_speaker())
+        prepare_output_folder(common.output, {plan_name, field_name, page_name}, common.force);
+      if (is_speaker() && !common.quiet)
+        fmt::print("{}", model_card(model));
+      PlanResult plan = make_plan(command, model, scene, file);
+      if (command.with_replay && is_usable(plan) && std::isfinite(plan.gain()))
+        plan.replay = replay_on_full_order_model(model, plan, common, command.replay);
+      if (!is_speaker())
+        return;
+      write_motions(model, plan, common.output / motion_folder_name);
+      write_field(common, plan);
+      write_plan_result(common.output / plan_name, plan);
+      draw_and_write_page(command, read_plan(common.output));
+      conclude(command, plan);
+    }
+  } // namespace
+
+  Work add_optimize(CLI::App &tool, const std::string &command_line)
+  {
+    auto  command = std::make_shared<OptimizeCommand>();
+    auto *verb    = tool.add_subcommand("optimize", "The periodic field that reaches a goal best, on a reduced model");
+    verb->add_option("model", command->model, "Reduced model (model.h5), or name of a shipped one")->required();
+    verb->add_option("goal", command->goal, "What to reach within which limits (TOML)")->required();
+    add_output_options(*verb, command->common, OutputFolder::optional);
+    verb->add_flag("--replay", command->with_replay,
+                   "Run the optimum and the tuned sinusoid on the full-order model and compare the gains");
+    verb->add_option("--replay-periods", command->replay.periods, "Periods of a replay; the last one counts")
+        ->check(CLI::Range(2, 1000))
+        ->capture_default_str();
+    verb->add_option("--replay-steps", command->replay.steps_per_period, "Steps per period of a replay")
+        ->check(CLI::Range(20, 100000))
+        ->capture_default_str();
+    verb->add_option("--trade-off", command->trade_off,
+                     "Plan for these bounds on the Floquet multiplier too: a list or a range, as in sweep")
+        ->type_name("VALUES");
+    verb->add_flag("--check-gradients", command->check_gradients, "Compare all derivatives with differences, and stop");
+    verb->add_option("--threads", command->n_threads, "As many as the machine has if left out");
+    verb->add_flag("--no-picture", command->no_picture, "Draw nothing");
+    command->common.command_line = command_line;
+    return [command] {
+      if (!command->check_gradients && command->common.output.empty())
+        throw InputError("--output is missing; give the folder for the results.");
+      optimize(*command);
+    };
+  }
+} // namespace swimtwin

@@ -1,0 +1,144 @@
+#include <app/plan_files.h>
+#include <app/tool.h>
+#include <datasets/reduced_model.h>
+#include <tests/datasets/temporary_folder.h>
+#include <tests/rom/example_model.h>
+
+namespace swimtwin
+{
+  namespace
+  {
+    struct Outcome
+    {
+      int         code = -1;
+      std::string output, errors;
+    };
+
+    Outcome tool(std::vector<std::string> arguments)
+    {
+      arguments.insert(arguments.begin(), "swimtwin");
+      std::vector<char *> argv;
+      for (std::string &argument : arguments)
+        argv.push_back(argument.data());
+      testing::internal::CaptureStdout();
+      testing::internal::CaptureStderr();
+      Outcome outcome;
+      outcome.code =
+          run_tool(static_cast<int>(argv.size()), argv.data(), {{"optimize", add_optimize}, {"report", add_report}});
+      outcome.output = testing::internal::GetCapturedStdout();
+      outcome.errors = testing::internal::GetCapturedStderr();
+      return outcome;
+    }
+
+    const std::string a_goal = R"([objective]
+mean_speed = 1
+[field]
+harmonics = 2
+family = "symmetric"
+frequency_low_Hz = 0.2
+frequency_high_Hz = 1.5
+sample_rate_Hz = 200
+[limits]
+magnitude_T = 7e-3
+[search]
+starts = 0
+max_evaluations = 12
+)";
+
+    class OptimizeVerb : public ::testing::Test
+    {
+    protected:
+      OptimizeVerb()
+      {
+        write_reduced_model(model, example_model({.n_modes = 2, .depends_on_angle = false, .magnetic_tail = false}),
+                            Provenance{});
+      }
+
+      Outcome optimize(const std::string &goal, const std::vector<std::string> &options = {}) const
+      {
+        std::vector<std::string> arguments = {"optimize", model, folder.write("goal.toml", goal), "--output", results};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        return tool(arguments);
+      }
+
+      const TemporaryFolder folder;
+      const std::string     model = folder.path / "model.h5", results = folder.path / "results";
+    };
+
+    void expect_part(const std::string &text, const std::string &part)
+    {
+      EXPECT_NE(text.find(part), std::string::npos) << text;
+    }
+  } // namespace
+
+  TEST_F(OptimizeVerb, WritesFieldPlanMotionsAndPage)
+  {
+    const Outcome outcome = optimize(a_goal, {"--no-picture", "--trade-off", "0.6"});
+    ASSERT_EQ(outcome.code, 0) << outcome.errors;
+    expect_part(outcome.output, "gain");
+    expect_part(outcome.output, "not confirmed");
+    expect_part(outcome.output, "multiplier up to 0.6");
+    const PlanFolder    plan = read_plan(results);
+    const PlannedField &best = *plan.plan.find(optimal_field_name);
+    EXPECT_EQ(plan.motions.size(), 4u);
+    EXPECT_EQ(plan.plan.trade_off.size(), 1u);
+    const FieldProgram field = FieldProgram::read_csv(folder.path / "results/field.csv", 1. / best.frequency_Hz);
+    EXPECT_NEAR(static_cast<double>(field.time_s().size()), 200. / best.frequency_Hz, 1.);
+    expect_part(content(folder.path / "results/report.html"), "Harmonics of the optimal field");
+    EXPECT_FALSE(plan.plan.provenance.scene_hash.empty());
+    EXPECT_EQ(tool({"report", results, "--force"}).code, 0);
+  }
+
+  TEST_F(OptimizeVerb, ChecksItsDerivatives)
+  {
+    const Outcome outcome = optimize(a_goal, {"--check-gradients"});
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    expect_part(outcome.output, "magnetic_work");
+    expect_part(outcome.output, "heading held: Floquet multiplier 1");
+    EXPECT_FALSE(std::filesystem::exists(results));
+  }
+
+  TEST_F(OptimizeVerb, NeedsTheFullOrderModelForAReplay)
+  {
+    const Outcome outcome = optimize(a_goal, {"--replay"});
+    EXPECT_EQ(outcome.code, 2);
+    expect_part(outcome.errors, "--replay needs the full-order model, which this build is without");
+    EXPECT_FALSE(std::filesystem::exists(results));
+  }
+
+  TEST_F(OptimizeVerb, SaysWhichLimitNoFieldMeets)
+  {
+    const Outcome outcome = optimize(a_goal + "gradient_free_budget = 0\n[robust]\n", {"--no-picture"});
+    EXPECT_EQ(outcome.code, 2);
+    expect_part(outcome.errors, "[robust] calibration is missing");
+    std::string impossible = a_goal;
+    impossible.replace(impossible.find("[search]"), 0, "largest_multiplier = 1e-30\n");
+    const Outcome infeasible = optimize(impossible, {"--no-picture"});
+    EXPECT_EQ(infeasible.code, 1);
+    expect_part(infeasible.errors, "no field was found (infeasible)");
+    expect_part(infeasible.errors, "heading held: Floquet multiplier");
+    EXPECT_EQ(read_plan(results).plan.status, "infeasible");
+  }
+
+  TEST_F(OptimizeVerb, WarnsOfAProgramInOtherUnits)
+  {
+    std::string csv = "time_s,bx_T,by_T\n";
+    for (int i = 0; i < 64; ++i)
+      csv += std::to_string(i / 64.) + ",5," + std::to_string(5. * std::sin(2. * 3.14159265 * i / 64.)) + "\n";
+    folder.write("given.csv", csv);
+    std::string goal = a_goal;
+    goal.replace(goal.find("[limits]"), 0, "program = \"given.csv\"\nperiod_s = 1\n");
+    const Outcome outcome = optimize(goal, {"--no-picture", "--quiet"});
+    expect_part(outcome.errors, "reaches 7.07 T, more than coils for swimmers give; if its columns are in mT");
+  }
+
+  TEST_F(OptimizeVerb, KeepsResultsUnlessForced)
+  {
+    std::filesystem::create_directories(results);
+    folder.write("results/plan.json", "{}");
+    const Outcome outcome = optimize(a_goal);
+    EXPECT_EQ(outcome.code, 2);
+    expect_part(outcome.errors, "--force");
+    EXPECT_EQ(tool({"optimize", model, folder.write("goal.toml", a_goal)}).code, 2);
+  }
+} // namespace swimtwin
