@@ -58,7 +58,7 @@ namespace swimtwin
       void read(CalibrationProblem &problem)
       {
         TomlTable      table(document_, path_);
-        const Quantity number{entry_.unit, entry_.positive ? positive : any_number};
+        const NumberRule number{entry_.unit, entry_.positive ? positive : any_number};
         FreeParameter  free;
         free.quantity    = entry_.quantity;
         free.logarithmic = entry_.positive;
