@@ -9,6 +9,17 @@
 
 namespace swimtwin
 {
+  namespace
+  {
+    void use_factors(const KSP ksp, const PCType type)
+    {
+      PC pc;
+      check_petsc(KSPGetPC(ksp, &pc), "made a solver");
+      check_petsc(PCSetType(pc, type), "made a solver");
+      check_petsc(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS), "chose MUMPS");
+    }
+  } // namespace
+
   LinearSystem::LinearSystem(const MPI_Comm communicator, const LinearSolverOptions &options)
       : communicator_(communicator), options_(options)
   {
@@ -57,10 +68,7 @@ namespace swimtwin
       check_petsc(KSPSetInitialGuessNonzero(ksp_, PETSC_TRUE), "made a solver");
       check_petsc(KSPConvergedDefaultSetUIRNorm(ksp_), "made a solver");
     }
-    PC pc;
-    check_petsc(KSPGetPC(ksp_, &pc), "made a solver");
-    check_petsc(PCSetType(pc, options_.positive_definite ? PCCHOLESKY : PCLU), "made a solver");
-    check_petsc(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS), "chose MUMPS");
+    use_factors(ksp_, options_.positive_definite || options_.nearly_symmetric ? PCCHOLESKY : PCLU);
   }
 
   void LinearSystem::set_matrix(const std::vector<double> &values)
@@ -157,6 +165,15 @@ namespace swimtwin
     load_guess();
     bool converged = has_factors_ && options_.reuse_factorization && !factors_are_worn_ &&
                      solve_with(true, options_.max_stale_iterations);
+    if (!converged && options_.nearly_symmetric)
+    {
+      // The upper triangle alone costs half; where it is not enough, what follows takes the whole matrix.
+      use_factors(ksp_, PCCHOLESKY);
+      load_guess();
+      converged = factorize() && solve_with(true, options_.max_stale_iterations);
+      if (!converged)
+        use_factors(ksp_, PCLU);
+    }
     if (!converged)
     {
       load_guess();

@@ -1,6 +1,8 @@
 #include <fom/full_order_model.h>
 
 #include <datasets/mirror_plane.h>
+#include <fom/checkpoint.h>
+#include <tests/datasets/temporary_folder.h>
 #include <tests/fom/shipped_scene.h>
 
 #include <gtest/gtest.h>
@@ -175,12 +177,17 @@ namespace swimtwin
     expect_exact_symmetry(model);
   }
 
+  // Through the file: the pairs of the mesh are in it.
   TEST(SymmetricRun, ARestoredRunKeepsTheSymmetryExactlyAndContinuesAsIfItHadNotStopped)
   {
     const Scene       scene = with_half(cases.front(), "on");
     FullOrderModel<2> stopped(scene, MPI_COMM_WORLD), restored(scene, MPI_COMM_WORLD);
     stopped.advance();
-    restored.restore(stopped.state());
+    const TemporaryFolder folder;
+    Provenance            provenance;
+    provenance.scene_hash = scene.hash;
+    write_checkpoint(folder.path / "checkpoint.h5", {stopped.state(), {{0.}}, {{0.}}}, provenance);
+    restored.restore(read_checkpoint(folder.path / "checkpoint.h5", scene).model);
     stopped.advance();
     restored.advance();
     expect_exact_symmetry(restored);
