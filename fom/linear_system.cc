@@ -18,6 +18,19 @@ namespace swimtwin
       check_petsc(PCSetType(pc, type), "made a solver");
       check_petsc(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS), "chose MUMPS");
     }
+
+    /// Of the upper triangle alone. MUMPS orders by the pattern (ICNTL(12) = 1), not by the first values it sees: a
+    /// resumed run sees others, and repeats the arithmetic all the same.
+    void use_symmetric_factors(const KSP ksp)
+    {
+      use_factors(ksp, PCCHOLESKY);
+      PC  pc;
+      Mat factors;
+      check_petsc(KSPGetPC(ksp, &pc), "made a solver");
+      check_petsc(PCFactorSetUpMatSolverType(pc), "made a solver");
+      check_petsc(PCFactorGetMatrix(pc, &factors), "made a solver");
+      check_petsc(MatMumpsSetIcntl(factors, 12, 1), "set up MUMPS");
+    }
   } // namespace
 
   LinearSystem::LinearSystem(const MPI_Comm communicator, const LinearSolverOptions &options)
@@ -68,7 +81,7 @@ namespace swimtwin
       check_petsc(KSPSetInitialGuessNonzero(ksp_, PETSC_TRUE), "made a solver");
       check_petsc(KSPConvergedDefaultSetUIRNorm(ksp_), "made a solver");
     }
-    use_factors(ksp_, options_.positive_definite || options_.nearly_symmetric ? PCCHOLESKY : PCLU);
+    use_factors(ksp_, options_.positive_definite ? PCCHOLESKY : PCLU);
   }
 
   void LinearSystem::set_matrix(const std::vector<double> &values)
@@ -168,7 +181,7 @@ namespace swimtwin
     if (!converged && options_.nearly_symmetric)
     {
       // The upper triangle alone costs half; where it is not enough, what follows takes the whole matrix.
-      use_factors(ksp_, PCCHOLESKY);
+      use_symmetric_factors(ksp_);
       load_guess();
       converged = factorize() && solve_with(true, options_.max_stale_iterations);
       if (!converged)

@@ -54,8 +54,8 @@ namespace swimtwin
         {"WallsOfAClosedBoxMove", "passive-tail-channel",
          coarse_channel + Overrides{"head.motion=free", "head.density_kg_m3=7000.0",
                                     "domain.walls={left=\"no-slip\", right=\"no-slip\", "
-                                    "bottom={condition=\"moving-wall\", speed_m_s=1e-3}, "
-                                    "top={condition=\"moving-wall\", speed_m_s=1e-3}}"}},
+                                    "bottom={condition=\"moving-wall\", speed_m_s=1e-2}, "
+                                    "top={condition=\"moving-wall\", speed_m_s=1e-2}}"}},
         {"AClosedDomainThatMovesWithTheSwimmer", "open-2d",
          coarse_swimmer + falls + Overrides{"numerics.mesh_size_far_m=8e-3"}},
         {"BetweenTwoCircles", "annulus",
@@ -155,7 +155,8 @@ namespace swimtwin
 
     const auto &a = half.balance(), &b = whole.balance();
     EXPECT_NEAR(a.dissipation, b.dissipation, 1e-9 * std::abs(b.dissipation));
-    EXPECT_NEAR(a.elastic_energy, b.elastic_energy, 1e-8 * std::abs(b.elastic_energy));
+    // quadratic in deformations from 3e-5 lengths on (the moving walls), which are off by up to 1e-11
+    EXPECT_NEAR(a.elastic_energy, b.elastic_energy, 1e-6 * std::abs(b.elastic_energy));
     EXPECT_NEAR(a.wall, b.wall, 1e-9 * b.dissipation);
     EXPECT_NEAR(a.gravity, b.gravity, 1e-8 * std::abs(b.gravity));
     EXPECT_NEAR(a.load_that_holds_head[0], b.load_that_holds_head[0], 1e-8 * std::abs(b.load_that_holds_head[0]));
