@@ -22,6 +22,7 @@ namespace swimtwin
   enum class Inertia { automatic, none, full };
   enum class CouplingScheme { monolithic, fixed_point };
   enum class AccelerationMethod { aitken, iqn_ils };
+  enum class SymmetricHalf { automatic, on, off };
   enum class MeshMotion { elastic, weighted_harmonic, harmonic };
 
   /// Newtonian fluid.
@@ -115,6 +116,10 @@ namespace swimtwin
     double mesh_growth        = 0.3;   ///< increase of mesh size per length of distance
     int    tail_order         = 2;     ///< 1 or 2
     bool   mirror_meshes      = false; ///< reflect every mesh at y = 0 (to test mirror symmetry)
+
+    /// Mesh and solve the upper half alone and reflect it, where the scene has a mirror plane
+    /// (datasets/mirror_plane.h).
+    SymmetricHalf symmetric_half = SymmetricHalf::automatic;
 
     // mesh motion and remeshing
     MeshMotion mesh_motion = MeshMotion::elastic;

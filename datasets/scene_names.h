@@ -82,6 +82,13 @@ namespace swimtwin
   };
 
   template <>
+  struct Names<SymmetricHalf>
+  {
+    static constexpr std::array<std::pair<std::string_view, SymmetricHalf>, 3> list{
+        {{"auto", SymmetricHalf::automatic}, {"on", SymmetricHalf::on}, {"off", SymmetricHalf::off}}};
+  };
+
+  template <>
   struct Names<MeshMotion>
   {
     static constexpr std::array<std::pair<std::string_view, MeshMotion>, 3> list{

@@ -268,6 +268,7 @@ namespace swimtwin
       table.number("mesh_growth", optional("", growth_range), numerics.mesh_growth);
       table.integer("tail_order", optional("", order_range), numerics.tail_order);
       table.flag("mirror_meshes", numerics.mirror_meshes);
+      read_choice(table, "symmetric_half", numerics.symmetric_half);
       read_choice(table, "mesh_motion", numerics.mesh_motion);
       table.number("remesh_quality", optional("", quality_range), numerics.remesh_quality);
       table.integer("remesh_every_steps", optional("", not_negative), numerics.remesh_every_steps);

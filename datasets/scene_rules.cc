@@ -1,3 +1,4 @@
+#include <datasets/mirror_plane.h>
 #include <datasets/scene_names.h>
 #include <datasets/scene_rules.h>
 #include <datasets/swimmer_clearance.h>
@@ -94,6 +95,20 @@ namespace swimtwin
             "numerics", "coupling",
             "cannot be \"fixed-point\" in a domain without a traction-free wall: the shape rate it gives the "
             "fluid changes the tail's area, and the closed fluid's volume cannot change; use \"monolithic\".");
+    }
+
+    void check_symmetry(const TomlDocument &document, const Scene &scene)
+    {
+      if (scene.numerics.symmetric_half != SymmetricHalf::on)
+        return;
+      if (const MirrorPlane plane = find_mirror_plane(scene); !plane.exists())
+        document.refuse(
+            "numerics", "symmetric_half",
+            fmt::format("needs a scene that is its own mirror image, but {}; use \"auto\" or \"off\".", plane.missing));
+      if (scene.numerics.coupling == CouplingScheme::fixed_point && scene.fluid && scene.tail)
+        document.refuse("numerics", "symmetric_half",
+                        "does not go with coupling = \"fixed-point\", which solves the whole scene; use \"off\", or "
+                        "coupling = \"monolithic\".");
     }
 
     void check_wall(const TomlDocument &document, const Domain &domain, const std::string &name, const Wall &wall)
@@ -301,6 +316,7 @@ namespace swimtwin
       check_coupling(document, scene);
       check_clearance(document, scene);
     }
+    check_symmetry(document, scene);
     check_time(document, scene);
     check_mesh_sizes(document, scene.numerics);
   }

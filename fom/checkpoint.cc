@@ -118,6 +118,8 @@ namespace swimtwin
       file.write_vector("/fluid_mesh/surface_nodes", integers(mesh.surface_nodes), number);
       file.write_vector("/fluid_mesh/wall_nodes", integers(mesh.wall_nodes), number);
       file.write_text("/fluid_mesh/wall_names", names, number);
+      if (!mesh.image_of_vertex.empty())
+        file.write_vector("/fluid_mesh/image_of_vertex", integers(mesh.image_of_vertex), number);
     }
 
     FluidMeshRecord<2> read_fluid_mesh(const Hdf5Reader &file)
@@ -133,6 +135,8 @@ namespace swimtwin
       std::istringstream names(file.read_text("/fluid_mesh/wall_names"));
       for (std::string name; std::getline(names, name);)
         mesh.wall_names.push_back(name);
+      if (file.contains("/fluid_mesh/image_of_vertex"))
+        mesh.image_of_vertex = indices(file.read_int_vector("/fluid_mesh/image_of_vertex"));
       return mesh;
     }
 

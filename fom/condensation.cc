@@ -5,9 +5,9 @@
 namespace swimtwin
 {
   template <int dim>
-  unsigned int Condensation<dim>::add_cell(std::vector<unsigned int> rows)
+  unsigned int Condensation<dim>::add_cell(std::vector<unsigned int> rows, const double weight)
   {
-    Cell cell{std::move(rows), {}, {}, pattern_rows_.size()};
+    Cell cell{std::move(rows), {}, {}, pattern_rows_.size(), weight};
     for (const auto row : cell.rows)
       for (const auto *term = map_.begin(row); term != map_.end(row); ++term)
       {

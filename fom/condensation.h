@@ -14,8 +14,9 @@ namespace swimtwin
   public:
     explicit Condensation(const MotionMap<dim> &map) : map_(map) {}
 
-    /// Describe one cell by its rows of the motion map. Returns its number.
-    unsigned int add_cell(std::vector<unsigned int> rows);
+    /// Describe one cell by its rows of the motion map, and how often it counts: a cell may stand for others that do
+    /// the same. Returns its number.
+    unsigned int add_cell(std::vector<unsigned int> rows, double weight = 1.);
     /// Describe a single entry (unknown, unknown).
     unsigned int add_entry(unsigned int unknown);
 
@@ -24,8 +25,8 @@ namespace swimtwin
 
     /// Start a new assembly.
     void reset();
-    /// Add P^T K P to the matrix and P^T (f - K imposed) to the right-hand side; K(i, j) and f(i) are called with local
-    /// rows.
+    /// Add P^T K P to the matrix and P^T (f - K imposed) to the right-hand side, times the cell's weight; K(i, j) and
+    /// f(i) are called with local rows.
     template <typename Matrix, typename Vector>
     void add(unsigned int cell, const Matrix &K, const Vector &f);
     void add_to_entry(unsigned int entry, double value) { values_[entry_position_[entry]] += value; }
@@ -40,6 +41,7 @@ namespace swimtwin
       std::vector<unsigned int> unknowns;    ///< distinct
       std::vector<unsigned int> slot;        ///< of each term of each row: index into unknowns
       std::size_t               first_value; ///< of its unknowns.size()^2 entries
+      double                    weight;
     };
     const MotionMap<dim>    &map_;
     std::vector<Cell>        cells_;
@@ -68,14 +70,14 @@ namespace swimtwin
         load -= K[i][j] * map_.imposed[cell.rows[j]];
         for (const auto *tj = map_.begin(cell.rows[j]), *last_j = map_.end(cell.rows[j]); tj != last_j; ++tj, ++slot_j)
         {
-          const double value = K[i][j] * tj->coefficient;
+          const double value = cell.weight * K[i][j] * tj->coefficient;
           unsigned int s     = slot_i;
           for (const auto *ti = first_i; ti != last_i; ++ti, ++s)
             out[cell.slot[s] * m + cell.slot[slot_j]] += ti->coefficient * value;
         }
       }
       for (const auto *ti = first_i; ti != last_i; ++ti, ++slot_i)
-        rhs_[ti->unknown] += ti->coefficient * load;
+        rhs_[ti->unknown] += cell.weight * ti->coefficient * load;
     }
   }
 } // namespace swimtwin

@@ -1,5 +1,6 @@
 #include <fom/coupled_system.h>
 
+#include <datasets/mirror_plane.h>
 #include <fom/tail_rows.h>
 
 #include <deal.II/base/mpi.h>
@@ -36,20 +37,27 @@ namespace swimtwin
       fluid_->describe(map_, !swimmer.has_tail() && !swimmer.scene().domain->has_traction_free_wall());
       describe_surface();
     }
+    if (solves_half(swimmer.scene()))
+      describe_mirror();
     std::vector<unsigned int> owner;
     for (unsigned int row = 0; row < n_fluid_rows_; ++row)
       owner.push_back(fluid_->row_owner(row));
     for (unsigned int row = 0; tail_numbering_ && row < tail_numbering_->size(); ++row)
       owner.push_back(tail_numbering_->owner(row));
     map_.close(owner, !swimmer.scene().head.fixed, communicator);
+    lay_out();
+  }
 
+  template <int dim>
+  void CoupledSystem<dim>::lay_out()
+  {
     if (fluid_)
       fluid_->add_cells(condensation_);
     if (tail_numbering_)
     {
-      const auto &mesh = swimmer.tail().mesh;
+      const auto &mesh = swimmer_.tail().mesh;
       for (unsigned int c = 0; c < mesh.n_cells(); ++c)
-        if (mesh.is_owned(c))
+        if (mesh.is_owned(c) && !tail_pairs_.is_image(mesh.cells[c]))
         {
           std::vector<unsigned int> rows;
           for (const auto node : mesh.cells[c])
@@ -57,13 +65,13 @@ namespace swimtwin
               rows.push_back(tail_row(node, i));
           for (int k = 0; k < n_rigid<dim>; ++k)
             rows.push_back(map_.head_row(k));
-          const auto number = condensation_.add_cell(rows);
+          const auto number = condensation_.add_cell(rows, tail_pairs_.weight());
           if (tail_cells_.empty())
             first_tail_cell_ = number;
           tail_cells_.push_back(c);
         }
     }
-    if (map_.head_is_free() && rank_ + 1 == n_ranks_)
+    if (head_turns() && rank_ + 1 == n_ranks_)
       rotation_entry_ = condensation_.add_entry(map_.first_head_unknown() + dim);
     condensation_.lay_out(system_);
   }
@@ -95,6 +103,19 @@ namespace swimtwin
   }
 
   template <int dim>
+  void CoupledSystem<dim>::describe_mirror()
+  {
+    map_.keep_head_on_axis();
+    if (tail_numbering_)
+    {
+      tail_pairs_ = MirrorPairs<dim>(swimmer_.tail().mesh, swimmer_.tail().image_of_vertex);
+      tail_pairs_.describe(map_, *tail_numbering_, false, n_fluid_rows_);
+    }
+    if (fluid_)
+      fluid_->describe_mirror(map_);
+  }
+
+  template <int dim>
   bool CoupledSystem<dim>::solve(const LinearizationPoint<dim> &point, std::vector<double> &unknowns)
   {
     map_.set_rotation(point.configuration.pose.rotation());
@@ -115,8 +136,9 @@ namespace swimtwin
   template <int dim>
   bool CoupledSystem<dim>::field_outruns_step()
   {
-    return torque_by_rate_ > 0. && is_outrun(torque_by_rate_ / (map_.length_scale() * map_.length_scale()),
-                                             system_.response_to_unit_load(map_.first_head_unknown() + dim));
+    return torque_by_rate_ > 0. && head_turns() &&
+           is_outrun(torque_by_rate_ / (map_.length_scale() * map_.length_scale()),
+                     system_.response_to_unit_load(map_.first_head_unknown() + dim));
   }
 
   template <int dim>
@@ -213,8 +235,10 @@ namespace swimtwin
     const unsigned int   first  = map_.first_head_unknown();
     auto                &rhs    = condensation_.right_hand_side();
     const Tensor<1, dim> force  = swimmer_.force_on_head(point.time_s);
-    for (int c = 0; c < dim; ++c)
+    for (unsigned int c = 0; c < dim && c < map_.n_head_unknowns(); ++c)
       rhs[first + c] += force[c];
+    if (!head_turns())
+      return;
     rhs[first + dim] += (torque - torque_by_rate_ * point.rates.omega[0]) / length;
     condensation_.add_to_entry(rotation_entry_, -torque_by_rate_ / (length * length));
   }
@@ -223,13 +247,11 @@ namespace swimtwin
   CoupledVelocities<dim> CoupledSystem<dim>::velocities(const std::vector<double> &unknowns) const
   {
     CoupledVelocities<dim> v;
-    if (map_.head_is_free())
-    {
-      for (int c = 0; c < dim; ++c)
-        v.head_velocity[c] = unknowns[map_.first_head_unknown() + c];
-      for (int k = 0; k < n_rotations<dim>; ++k)
-        v.head_omega[k] = unknowns[map_.first_head_unknown() + dim + k] / map_.length_scale();
-    }
+    for (unsigned int k = 0; k < map_.n_head_unknowns(); ++k)
+      if (const double value = unknowns[map_.first_head_unknown() + k]; k < dim)
+        v.head_velocity[k] = value;
+      else
+        v.head_omega[k - dim] = value / map_.length_scale();
     if (tail_numbering_)
     {
       const std::vector<double> rows = map_.expand(unknowns);
@@ -245,19 +267,15 @@ namespace swimtwin
   std::vector<double> CoupledSystem<dim>::guess(const CoupledVelocities<dim> &v) const
   {
     std::vector<double> unknowns(map_.n_unknowns(), 0.);
-    if (map_.head_is_free())
-    {
-      for (int c = 0; c < dim; ++c)
-        unknowns[map_.first_head_unknown() + c] = v.head_velocity[c];
-      for (int k = 0; k < n_rotations<dim>; ++k)
-        unknowns[map_.first_head_unknown() + dim + k] = v.head_omega[k] * map_.length_scale();
-    }
+    for (unsigned int k = 0; k < map_.n_head_unknowns(); ++k)
+      unknowns[map_.first_head_unknown() + k] =
+          k < dim ? v.head_velocity[k] : v.head_omega[k - dim] * map_.length_scale();
     for (unsigned int a = 0; a < v.tail.size(); ++a)
       for (int c = 0; c < dim; ++c)
       {
         const unsigned int row = tail_row(a, c);
         if (!swimmer_.is_clamped(a) && map_.end(row) - map_.begin(row) == 1)
-          unknowns[map_.begin(row)->unknown] = v.tail[a][c];
+          unknowns[map_.begin(row)->unknown] = v.tail[a][c] / map_.begin(row)->coefficient;
       }
     return unknowns;
   }

@@ -53,6 +53,8 @@ namespace swimtwin
   private:
     void describe_tail();
     void describe_surface();
+    void describe_mirror();
+    void lay_out();
     /// Linearised forces of one tail cell: rows and columns are its nodes' velocities, then the head's.
     struct TailCellSystem
     {
@@ -64,6 +66,7 @@ namespace swimtwin
                                      TailCellSystem &system) const;
     void         assemble_tail(const LinearizationPoint<dim> &point);
     void         assemble_head(const LinearizationPoint<dim> &point);
+    bool         head_turns() const { return map_.n_head_unknowns() > dim; }
     unsigned int tail_row(const unsigned int node, const unsigned int component) const
     {
       return n_fluid_rows_ + tail_numbering_->vector_index(node, component);
@@ -74,9 +77,10 @@ namespace swimtwin
     LinearSystem                       &system_;
     unsigned int                        n_fluid_rows_, rank_, n_ranks_;
     std::unique_ptr<NodeNumbering<dim>> tail_numbering_;
+    MirrorPairs<dim>                    tail_pairs_; ///< when half of the scene is solved
     MotionMap<dim>                      map_;
     Condensation<dim>                   condensation_;
-    std::vector<unsigned int>           tail_cells_;          ///< owned
+    std::vector<unsigned int>           tail_cells_;          ///< owned, no images
     unsigned int                        first_tail_cell_ = 0; ///< its number in the condensation
     unsigned int                        rotation_entry_  = 0;
     double                              torque_by_rate_  = 0.; ///< of the field, by the head's angular velocity

@@ -10,15 +10,16 @@ namespace swimtwin
 
   template <int dim>
   FluidDomain<dim>::FluidDomain(const Scene &scene, FluidMesh<dim> fluid_mesh, const RigidPose<dim> &pose)
-      : scene_(scene), fluid_mesh_(std::move(fluid_mesh)), numbering_(fluid_mesh_.mesh, true), pose_at_meshing_(pose),
-        positions_(mesh().nodes), pressure_scale_(scene.fluid->viscosity_Pa_s / scene.body_length_m()),
+      : scene_(scene), fluid_mesh_(std::move(fluid_mesh)), numbering_(fluid_mesh_.mesh, true),
+        mirror_pairs_(fluid_mesh_.mesh, fluid_mesh_.image_of_vertex), pose_at_meshing_(pose), positions_(mesh().nodes),
+        pressure_scale_(scene.fluid->viscosity_Pa_s / scene.body_length_m()),
         quality_(worst_quality(mesh(), positions_))
   {
     std::vector<char> is_at_surface(mesh().n_nodes(), 0);
     for (const auto node : fluid_mesh_.surface_nodes)
       is_at_surface[node] = 1;
     for (unsigned int c = 0; c < mesh().n_cells(); ++c)
-      if (mesh().is_owned(c))
+      if (mesh().is_owned(c) && !mirror_pairs_.is_image(mesh().cells[c]))
       {
         owned_cells_.push_back(c);
         if (std::any_of(mesh().cells[c].begin(), mesh().cells[c].end(),
@@ -26,7 +27,7 @@ namespace swimtwin
           owned_cells_at_surface_.push_back(c);
         map_.reinit(cell_positions<dim>(mesh().cells[c], positions_));
         for (unsigned int q = 0; q < map_.n_points(); ++q)
-          volume_ += map_.weight(q);
+          volume_ += mirror_pairs_.weight() * map_.weight(q);
       }
     volume_ = Utilities::MPI::sum(volume_, mesh().communicator());
   }
@@ -75,7 +76,7 @@ namespace swimtwin
         for (const auto &wall_node : fluid_mesh_.wall_nodes)
           still.push_back(wall_node.node);
         extension_ = std::make_unique<MeshExtension<dim>>(mesh(), numbering_, scene_.numerics.mesh_motion,
-                                                          fluid_mesh_.surface_nodes, still);
+                                                          fluid_mesh_.surface_nodes, still, mirror_pairs_);
       }
       const auto extended = extension_->extend(displacement);
       if (extended.empty())
@@ -107,7 +108,7 @@ namespace swimtwin
   void FluidDomain<dim>::add_cells(Condensation<dim> &condensation) const
   {
     for (const auto c : owned_cells_)
-      condensation.add_cell(cell_rows(c));
+      condensation.add_cell(cell_rows(c), mirror_pairs_.weight());
   }
 
   template <int dim>
@@ -131,7 +132,7 @@ namespace swimtwin
   }
 
   template <int dim>
-  double FluidDomain<dim>::add_forces(const std::vector<unsigned int> &cells, const std::vector<double> &values,
+  double FluidDomain<dim>::sum_forces(const std::vector<unsigned int> &cells, const std::vector<double> &values,
                                       std::vector<double> &force) const
   {
     constexpr unsigned int n_velocity  = n_cell_nodes<dim> * dim;
@@ -156,15 +157,16 @@ namespace swimtwin
           dissipation += values[rows[i]] * viscous;
       }
     }
-    return dissipation;
+    Utilities::MPI::sum(force, mesh().communicator(), force);
+    mirror_pairs_.complete(force, numbering_);
+    return mirror_pairs_.weight() * dissipation;
   }
 
   template <int dim>
   std::vector<double> FluidDomain<dim>::force_on_fluid_at_surface(const std::vector<double> &values) const
   {
     std::vector<double> force(n_rows(), 0.);
-    add_forces(owned_cells_at_surface_, values, force);
-    Utilities::MPI::sum(force, mesh().communicator(), force);
+    sum_forces(owned_cells_at_surface_, values, force);
     return force;
   }
 
@@ -172,8 +174,7 @@ namespace swimtwin
   FluidReaction FluidDomain<dim>::react(const std::vector<double> &values) const
   {
     FluidReaction reaction{std::vector<double>(n_rows(), 0.), 0., 0.};
-    reaction.dissipation = add_forces(owned_cells_, values, reaction.force);
-    Utilities::MPI::sum(reaction.force, mesh().communicator(), reaction.force);
+    reaction.dissipation = sum_forces(owned_cells_, values, reaction.force);
     reaction.dissipation = Utilities::MPI::sum(reaction.dissipation, mesh().communicator());
     for (const auto &[node, wall, name] : fluid_mesh_.wall_nodes)
       if (wall->condition != WallCondition::traction_free)

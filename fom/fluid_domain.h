@@ -5,6 +5,7 @@
 #include <fom/condensation.h>
 #include <fom/fluid_mesh.h>
 #include <fom/mesh_motion.h>
+#include <fom/mirror_pairs.h>
 #include <fom/stokes.h>
 
 #include <memory>
@@ -37,6 +38,8 @@ namespace swimtwin
 
     /// Mark the rows at walls, and one pressure if nothing else fixes its level, as imposed.
     void describe(MotionMap<dim> &map, bool pin_pressure) const;
+    /// Tie the rows of images to their originals; comes last. Nothing to do on a mesh that is no mirror image.
+    void describe_mirror(MotionMap<dim> &map) const { mirror_pairs_.describe(map, numbering_, true); }
     void set_wall_velocities(MotionMap<dim> &map, double time_s) const;
 
     /// Let the mesh follow the swimmer's surface (laboratory positions). Returns the worst element quality; a number
@@ -67,17 +70,19 @@ namespace swimtwin
 
   private:
     std::vector<unsigned int> cell_rows(unsigned int cell) const;
-    /// Add the forces of some cells; returns their dissipation.
-    double add_forces(const std::vector<unsigned int> &cells, const std::vector<double> &values,
+    /// Sum up the forces of some cells and of those they stand for, over all ranks. Returns the dissipation of the
+    /// rank's. Collective.
+    double sum_forces(const std::vector<unsigned int> &cells, const std::vector<double> &values,
                       std::vector<double> &force) const;
 
     const Scene                        &scene_;
     FluidMesh<dim>                      fluid_mesh_;
     NodeNumbering<dim>                  numbering_;
+    MirrorPairs<dim>                    mirror_pairs_; ///< of a mesh that is its own mirror image
     RigidPose<dim>                      pose_at_meshing_;
     std::unique_ptr<MeshExtension<dim>> extension_; ///< made when the swimmer first moves
     std::vector<dealii::Point<dim>>     positions_;
-    std::vector<unsigned int>           owned_cells_, owned_cells_at_surface_;
+    std::vector<unsigned int>           owned_cells_, owned_cells_at_surface_; ///< no images
     double                              pressure_scale_, quality_, volume_ = 0.;
     mutable IsoparametricCell<dim>      map_;
   };

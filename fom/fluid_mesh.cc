@@ -1,9 +1,12 @@
 #include <fom/fluid_mesh.h>
-#include <fom/triangulate.h>
 
-#include <algorithm>
+#include <fom/mirror_pairs.h>
+#include <fom/triangulate.h>
+#include <fom/wall_loop.h>
+
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace swimtwin
 {
@@ -12,70 +15,6 @@ namespace swimtwin
 
   namespace
   {
-    struct WallCurve
-    {
-      std::string name;
-      PlanarCurve curve;
-      bool        backwards = false; ///< divided from its end, as the mirror image of another curve
-    };
-
-    /// Outer boundary, counter-clockwise from the middle of its left side, so that mirrored domains have mirrored
-    /// polygons.
-    std::vector<WallCurve> outer_walls(const Domain &domain, const Point<2> &c)
-    {
-      const auto line = [](const char *name, const Point<2> &a, const Point<2> &b) {
-        return WallCurve{name, PlanarCurve::line(a, b), false};
-      };
-      const auto back = [](const char *name, const Point<2> &a, const Point<2> &b) {
-        return WallCurve{name, PlanarCurve::line(a, b), true};
-      };
-      if (domain.shape == DomainShape::box || domain.shape == DomainShape::channel)
-      {
-        const double a = domain.size_m[0] / 2, b = domain.size_m[1] / 2;
-        const double l = c[0] - a, r = c[0] + a, d = c[1] - b, u = c[1] + b;
-        return {line("left", {l, c[1]}, {l, d}),  line("bottom", {l, d}, {r, d}), line("right", {r, d}, {r, c[1]}),
-                back("right", {r, u}, {r, c[1]}), back("top", {l, u}, {r, u}),    back("left", {l, c[1]}, {l, u})};
-      }
-      const std::array<double, 2> radii = {domain.radius_m, domain.radius_m};
-      return {{"outer", PlanarCurve::arc(c, radii, -pi, 0.), false},
-              {"outer", PlanarCurve::arc(c, radii, pi, 0.), true}};
-    }
-
-    std::vector<WallCurve> inner_walls(const Domain &domain, const Point<2> &c)
-    {
-      if (domain.shape != DomainShape::annulus)
-        return {};
-      const std::array<double, 2> radii = {domain.inner_radius_m, domain.inner_radius_m};
-      return {{"inner", PlanarCurve::arc(c, radii, -pi, 0.), false},
-              {"inner", PlanarCurve::arc(c, radii, pi, 0.), true}};
-    }
-
-    bool is_round(const Domain &domain)
-    {
-      return domain.shape == DomainShape::disc || domain.shape == DomainShape::annulus;
-    }
-
-    /// A closed boundary: a quadratic loop without repetition, and the wall of each edge.
-    struct WallLoop
-    {
-      std::vector<Point<2>>    nodes;
-      std::vector<std::string> wall_of_edge;
-    };
-
-    WallLoop divide_walls(const std::vector<WallCurve> &walls, const SizeField &size, const bool round)
-    {
-      WallLoop loop;
-      for (const auto &[name, curve, backwards] : walls)
-      {
-        auto nodes = divide(curve, size, round ? 16 : 2);
-        if (backwards)
-          std::reverse(nodes.begin(), nodes.end());
-        loop.nodes.insert(loop.nodes.end(), nodes.begin(), nodes.end() - 1);
-        loop.wall_of_edge.insert(loop.wall_of_edge.end(), nodes.size() / 2, name);
-      }
-      return loop;
-    }
-
     std::vector<Point<2>> vertices_of(const std::vector<Point<2>> &loop)
     {
       std::vector<Point<2>> vertices;
@@ -84,44 +23,89 @@ namespace swimtwin
       return vertices;
     }
 
-    /// Place the curved edges of a closed boundary whose vertices are numbered from `first`; returns its nodes in
-    /// order.
+    /// Place the curved edges of a closed boundary whose vertices have these numbers; returns its nodes in order.
     std::vector<unsigned int> curve_loop(SimplexMesh<2> &mesh, const std::vector<Point<2>> &loop,
-                                         const unsigned int first)
+                                         const std::vector<unsigned int> &vertices)
     {
-      const unsigned int        n = loop.size() / 2;
+      const unsigned int        n = vertices.size();
       std::vector<unsigned int> nodes;
       for (unsigned int e = 0; e < n; ++e)
       {
-        nodes.push_back(first + e);
-        nodes.push_back(mesh.edge_node(first + e, first + (e + 1) % n));
+        nodes.push_back(vertices[e]);
+        nodes.push_back(mesh.edge_node(vertices[e], vertices[(e + 1) % n]));
         mesh.nodes[nodes.back()] = loop[2 * e + 1];
       }
       return nodes;
     }
 
-    void name_wall_nodes(const Domain &domain, const WallLoop &loop, const std::vector<unsigned int> &nodes,
-                         std::vector<WallNode> &wall_nodes)
+    /// Numbers of a loop's vertices, counted from `first`.
+    std::vector<unsigned int> numbers_from(const unsigned int first, const std::vector<Point<2>> &loop)
     {
-      const unsigned int n       = loop.wall_of_edge.size();
-      const auto         imposes = [&](const std::string &name) {
-        return domain.walls.at(name).condition != WallCondition::traction_free;
-      };
-      for (unsigned int e = 0; e < n; ++e)
-      {
-        const std::string &here = loop.wall_of_edge[e], &before = loop.wall_of_edge[(e + n - 1) % n];
-        // At a corner a wall that imposes a velocity wins over an open end, a solid wall over an inflow.
-        const bool         keep_before = !imposes(here) || domain.walls.at(here).condition == WallCondition::inflow;
-        const std::string &corner      = keep_before && imposes(before) ? before : here;
-        wall_nodes.push_back({nodes[2 * e], &domain.walls.at(corner), corner});
-        wall_nodes.push_back({nodes[2 * e + 1], &domain.walls.at(here), here});
-      }
+      std::vector<unsigned int> numbers(loop.size() / 2);
+      std::iota(numbers.begin(), numbers.end(), first);
+      return numbers;
     }
 
-    Point<2> domain_center(const Domain &domain, const RigidPose<2> &pose, const RigidPose<2> &pose_at_rest)
+    SizeField size_field(const std::vector<Point<2>> &surface, const std::vector<double> &surface_size,
+                         const Numerics &numerics)
     {
-      const Point<2> center(domain.center_m[0], domain.center_m[1]);
-      return domain.moves_with_swimmer ? pose.to_laboratory(pose_at_rest.to_head_frame(center)) : center;
+      std::vector<std::pair<Point<2>, double>> prescribed;
+      for (unsigned int i = 0; i < surface_size.size(); ++i)
+        prescribed.emplace_back(surface[2 * i], surface_size[i]);
+      return graded_size(std::move(prescribed), numerics.mesh_growth, numerics.mesh_size_far_m);
+    }
+
+    /// Upper half of a region as one polygon, walked counter-clockwise from the left end of the plane. Loops start with
+    /// their left end on the plane and go round below; half way they are at their right end.
+    class UpperHalf
+    {
+    public:
+      UpperHalf(const SizeField &size, const Point<2> &left_end) : polygon_{left_end}, size_(size) {}
+
+      /// Follow the plane to a hole and pass over it. Returns the numbers of the loop's upper vertices, in their
+      /// places.
+      std::vector<unsigned int> pass_over(const std::vector<Point<2>> &hole)
+      {
+        std::vector<unsigned int> numbers(hole.size() / 2);
+        walk_along_plane(hole.front());
+        for (unsigned int e = numbers.size(); e >= numbers.size() / 2; --e)
+          append(hole, e % numbers.size(), numbers);
+        return numbers;
+      }
+      /// Follow the plane to the right end of the outer boundary, and this back over the top.
+      std::vector<unsigned int> go_back(const std::vector<Point<2>> &outer)
+      {
+        std::vector<unsigned int> numbers(outer.size() / 2, 0);
+        walk_along_plane(outer[outer.size() / 2]);
+        for (unsigned int e = numbers.size() / 2; e < numbers.size(); ++e)
+          append(outer, e, numbers);
+        return numbers;
+      }
+      PlanarRegion region() const { return {polygon_, {}, size_}; }
+
+    private:
+      void walk_along_plane(const Point<2> &end)
+      {
+        const auto nodes = divide(PlanarCurve::line(polygon_.back(), end), size_);
+        for (unsigned int i = 2; i + 2 < nodes.size(); i += 2)
+          polygon_.push_back(nodes[i]);
+      }
+      void append(const std::vector<Point<2>> &loop, const unsigned int vertex, std::vector<unsigned int> &numbers)
+      {
+        numbers[vertex] = polygon_.size();
+        polygon_.push_back(loop[2 * vertex]);
+      }
+
+      std::vector<Point<2>> polygon_;
+      SizeField             size_;
+    };
+
+    /// Fill in the lower vertices of a loop.
+    std::vector<unsigned int> both_halves(std::vector<unsigned int> numbers, const std::vector<unsigned int> &image)
+    {
+      for (unsigned int e = 1; e < numbers.size() / 2; ++e)
+        numbers[e] = image[numbers[numbers.size() - e]];
+      return numbers;
     }
   } // namespace
 
@@ -129,13 +113,9 @@ namespace swimtwin
                                const std::vector<double> &surface_size, const RigidPose<2> &pose,
                                const RigidPose<2> &pose_at_rest, const Numerics &numerics, const MPI_Comm communicator)
   {
-    std::vector<std::pair<Point<2>, double>> prescribed;
-    for (unsigned int i = 0; i < surface_size.size(); ++i)
-      prescribed.emplace_back(surface[2 * i], surface_size[i]);
-    const SizeField size  = graded_size(std::move(prescribed), numerics.mesh_growth, numerics.mesh_size_far_m);
+    const SizeField size  = size_field(surface, surface_size, numerics);
     const Point<2>  c     = domain_center(domain, pose, pose_at_rest);
-    const WallLoop  outer = divide_walls(outer_walls(domain, c), size, is_round(domain)),
-                   inner  = divide_walls(inner_walls(domain, c), size, true);
+    const WallLoop  outer = outer_loop(domain, c, size), inner = inner_loop(domain, c, size);
 
     PlanarRegion region;
     region.mirror = numerics.mirror_meshes;
@@ -145,19 +125,57 @@ namespace swimtwin
     if (!inner.nodes.empty())
       region.holes.push_back(vertices_of(inner.nodes));
 
-    FluidMesh<2>       fluid{SimplexMesh<2>(triangulate(region, communicator), communicator), {}, {}};
+    FluidMesh<2>       fluid{SimplexMesh<2>(triangulate(region, communicator), communicator), {}, {}, {}};
     const unsigned int n_outer = region.outer.size(), n_surface = region.holes[0].size();
-    name_wall_nodes(domain, outer, curve_loop(fluid.mesh, outer.nodes, 0), fluid.wall_nodes);
-    fluid.surface_nodes = curve_loop(fluid.mesh, surface, n_outer);
+    name_wall_nodes(domain, outer, curve_loop(fluid.mesh, outer.nodes, numbers_from(0, outer.nodes)), fluid.wall_nodes);
+    fluid.surface_nodes = curve_loop(fluid.mesh, surface, numbers_from(n_outer, surface));
     if (!inner.nodes.empty())
-      name_wall_nodes(domain, inner, curve_loop(fluid.mesh, inner.nodes, n_outer + n_surface), fluid.wall_nodes);
+      name_wall_nodes(domain, inner,
+                      curve_loop(fluid.mesh, inner.nodes, numbers_from(n_outer + n_surface, inner.nodes)),
+                      fluid.wall_nodes);
+    return fluid;
+  }
+
+  FluidMesh<2> make_symmetric_fluid_mesh(const Domain &domain, const std::vector<Point<2>> &surface,
+                                         const std::vector<double> &surface_size, const RigidPose<2> &pose,
+                                         const RigidPose<2> &pose_at_rest, const Numerics &numerics,
+                                         const MPI_Comm communicator)
+  {
+    const SizeField size  = size_field(surface, surface_size, numerics);
+    const Point<2>  c     = domain_center(domain, pose, pose_at_rest);
+    const WallLoop  outer = mirrored_outer_loop(domain, c, size), inner = mirrored_inner_loop(domain, c, size);
+
+    UpperHalf                 half(size, outer.nodes.front());
+    const bool                inner_comes_first = !inner.nodes.empty() && inner.nodes.front()[0] < surface.front()[0];
+    std::vector<unsigned int> inner_numbers, surface_numbers;
+    if (inner_comes_first)
+      inner_numbers = half.pass_over(inner.nodes);
+    surface_numbers = half.pass_over(surface);
+    if (!inner.nodes.empty() && !inner_comes_first)
+      inner_numbers = half.pass_over(inner.nodes);
+    const auto outer_numbers = half.go_back(outer.nodes);
+
+    std::vector<unsigned int> image;
+    const SimplexSoup<2>      soup = reflect(triangulate(half.region(), communicator), c[1], image);
+    FluidMesh<2>              fluid{SimplexMesh<2>(soup, communicator), {}, {}, image};
+    const auto                nodes = [&](const std::vector<Point<2>> &loop, const std::vector<unsigned int> &numbers) {
+      return curve_loop(fluid.mesh, loop, both_halves(numbers, image));
+    };
+    name_wall_nodes(domain, outer, nodes(outer.nodes, outer_numbers), fluid.wall_nodes);
+    fluid.surface_nodes = nodes(surface, surface_numbers);
+    if (!inner.nodes.empty())
+      name_wall_nodes(domain, inner, nodes(inner.nodes, inner_numbers), fluid.wall_nodes);
     return fluid;
   }
 
   FluidMeshRecord<2> record(const FluidMesh<2> &fluid_mesh)
   {
-    FluidMeshRecord<2> record{
-        {fluid_mesh.mesh.triangulation().get_vertices(), {}}, fluid_mesh.mesh.nodes, fluid_mesh.surface_nodes, {}, {}};
+    FluidMeshRecord<2> record{{fluid_mesh.mesh.triangulation().get_vertices(), {}},
+                              fluid_mesh.mesh.nodes,
+                              fluid_mesh.surface_nodes,
+                              {},
+                              {},
+                              fluid_mesh.image_of_vertex};
     for (const auto &cell : fluid_mesh.mesh.cells)
       record.soup.cells.push_back({cell[0], cell[1], cell[2]});
     for (const auto &wall_node : fluid_mesh.wall_nodes)
@@ -170,7 +188,7 @@ namespace swimtwin
 
   FluidMesh<2> make_fluid_mesh(const Domain &domain, const FluidMeshRecord<2> &record, const MPI_Comm communicator)
   {
-    FluidMesh<2> fluid{SimplexMesh<2>(record.soup, communicator), record.surface_nodes, {}};
+    FluidMesh<2> fluid{SimplexMesh<2>(record.soup, communicator), record.surface_nodes, {}, record.image_of_vertex};
     fluid.mesh.nodes = record.nodes;
     for (unsigned int i = 0; i < record.wall_nodes.size(); ++i)
       fluid.wall_nodes.push_back({record.wall_nodes[i], &domain.walls.at(record.wall_names[i]), record.wall_names[i]});

@@ -11,7 +11,7 @@ namespace swimtwin
   struct WallNode
   {
     unsigned int node;
-    const Wall  *wall; ///< the one with a velocity condition where two meet
+    const Wall  *wall; ///< at a corner the stronger condition (wall_loop.cc)
     std::string  wall_name;
   };
 
@@ -21,6 +21,7 @@ namespace swimtwin
     SimplexMesh<dim>          mesh;
     std::vector<unsigned int> surface_nodes; ///< mesh node of every node of the swimmer's surface, same order
     std::vector<WallNode>     wall_nodes;
+    std::vector<unsigned int> image_of_vertex; ///< of a mesh that is its own mirror image, else empty
   };
 
   /// Mesh the fluid around a swimmer's surface (laboratory positions, quadratic loop, counter-clockwise), which is kept
@@ -30,6 +31,13 @@ namespace swimtwin
                                const std::vector<double> &surface_size, const RigidPose<2> &pose,
                                const RigidPose<2> &pose_at_rest, const Numerics &numerics, MPI_Comm communicator);
 
+  /// The same where the surface is its own mirror image at the height of the domain's centre: mesh the upper half and
+  /// reflect it.
+  FluidMesh<2> make_symmetric_fluid_mesh(const Domain &domain, const std::vector<dealii::Point<2>> &surface,
+                                         const std::vector<double> &surface_size, const RigidPose<2> &pose,
+                                         const RigidPose<2> &pose_at_rest, const Numerics &numerics,
+                                         MPI_Comm communicator);
+
   /// A fluid mesh as plain data, to be written and made again node for node.
   template <int dim>
   struct FluidMeshRecord
@@ -38,6 +46,7 @@ namespace swimtwin
     std::vector<dealii::Point<dim>> nodes;
     std::vector<unsigned int>       surface_nodes, wall_nodes;
     std::vector<std::string>        wall_names; ///< of each wall node
+    std::vector<unsigned int>       image_of_vertex;
   };
 
   FluidMeshRecord<2> record(const FluidMesh<2> &fluid_mesh);

@@ -2,6 +2,7 @@
 
 #include <datasets/error.h>
 #include <fom/cpu_time.h>
+#include <fom/mesh_around.h>
 
 #include <algorithm>
 #include <cmath>
@@ -229,9 +230,7 @@ namespace swimtwin
     const auto         &c = now_.configuration;
     try
     {
-      use_fluid_mesh(make_fluid_mesh(*scene_.domain, swimmer_.surface(c), swimmer_.surface_mesh_size(), c.pose,
-                                     swimmer_.pose_at_rest(), scene_.numerics, communicator_),
-                     c.pose);
+      use_fluid_mesh(mesh_around(swimmer_, c, communicator_), c.pose);
     }
     catch (const ComputationError &error)
     {

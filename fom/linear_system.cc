@@ -9,6 +9,30 @@
 
 namespace swimtwin
 {
+  namespace
+  {
+    void use_factors(const KSP ksp, const PCType type)
+    {
+      PC pc;
+      check_petsc(KSPGetPC(ksp, &pc), "made a solver");
+      check_petsc(PCSetType(pc, type), "made a solver");
+      check_petsc(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS), "chose MUMPS");
+    }
+
+    /// Of the upper triangle alone. MUMPS orders by the pattern (ICNTL(12) = 1), not by the first values it sees: a
+    /// resumed run sees others, and repeats the arithmetic all the same.
+    void use_symmetric_factors(const KSP ksp)
+    {
+      use_factors(ksp, PCCHOLESKY);
+      PC  pc;
+      Mat factors;
+      check_petsc(KSPGetPC(ksp, &pc), "made a solver");
+      check_petsc(PCFactorSetUpMatSolverType(pc), "made a solver");
+      check_petsc(PCFactorGetMatrix(pc, &factors), "made a solver");
+      check_petsc(MatMumpsSetIcntl(factors, 12, 1), "set up MUMPS");
+    }
+  } // namespace
+
   LinearSystem::LinearSystem(const MPI_Comm communicator, const LinearSolverOptions &options)
       : communicator_(communicator), options_(options)
   {
@@ -57,10 +81,7 @@ namespace swimtwin
       check_petsc(KSPSetInitialGuessNonzero(ksp_, PETSC_TRUE), "made a solver");
       check_petsc(KSPConvergedDefaultSetUIRNorm(ksp_), "made a solver");
     }
-    PC pc;
-    check_petsc(KSPGetPC(ksp_, &pc), "made a solver");
-    check_petsc(PCSetType(pc, options_.positive_definite ? PCCHOLESKY : PCLU), "made a solver");
-    check_petsc(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS), "chose MUMPS");
+    use_factors(ksp_, options_.positive_definite ? PCCHOLESKY : PCLU);
   }
 
   void LinearSystem::set_matrix(const std::vector<double> &values)
@@ -157,6 +178,15 @@ namespace swimtwin
     load_guess();
     bool converged = has_factors_ && options_.reuse_factorization && !factors_are_worn_ &&
                      solve_with(true, options_.max_stale_iterations);
+    if (!converged && options_.nearly_symmetric)
+    {
+      // The upper triangle alone costs half; where it is not enough, what follows takes the whole matrix.
+      use_symmetric_factors(ksp_);
+      load_guess();
+      converged = factorize() && solve_with(true, options_.max_stale_iterations);
+      if (!converged)
+        use_factors(ksp_, PCLU);
+    }
     if (!converged)
     {
       load_guess();

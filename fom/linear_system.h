@@ -22,6 +22,7 @@ namespace swimtwin
     int    max_stale_iterations = 12;   ///< give up on old factors after so many GMRES iterations and factorise anew
     int  factorization_effort = 8; ///< of a factorisation in GMRES iterations: 7 to 8 measured in 2D at 17,000 unknowns
     bool positive_definite    = false; ///< Cholesky instead of LU
+    bool nearly_symmetric     = false; ///< factorise the upper triangle alone, LDL^T: GMRES makes up for what it misses
     bool direct               = false; ///< the matrix never changes: its factors are the solver, without iterations
   };
 

@@ -103,7 +103,7 @@ namespace swimtwin
   template <int dim>
   MeshExtension<dim>::MeshExtension(const SimplexMesh<dim> &mesh, const NodeNumbering<dim> &numbering,
                                     const MeshMotion law, std::vector<unsigned int> moving_nodes,
-                                    const std::vector<unsigned int> &still_nodes)
+                                    const std::vector<unsigned int> &still_nodes, const MirrorPairs<dim> &mirror_pairs)
       : mesh_(mesh), numbering_(numbering), moving_nodes_(std::move(moving_nodes)), map_(numbering.size(), 0, 1.),
         condensation_(map_), system_(mesh.communicator(), extension_options())
   {
@@ -118,15 +118,16 @@ namespace swimtwin
     for (unsigned int row = 0; row < numbering.size(); ++row)
       if (!is_unknown[row])
         map_.impose(row);
+    mirror_pairs.describe(map_, numbering, false);
     std::vector<unsigned int> owner(numbering.size());
     for (unsigned int i = 0; i < owner.size(); ++i)
       owner[i] = numbering.owner(i);
     map_.close(owner, false, mesh.communicator());
-    assemble(law);
+    assemble(law, mirror_pairs);
   }
 
   template <int dim>
-  void MeshExtension<dim>::assemble(const MeshMotion law)
+  void MeshExtension<dim>::assemble(const MeshMotion law, const MirrorPairs<dim> &mirror_pairs)
   {
     std::vector<char> moves(mesh_.n_nodes(), 0);
     for (const auto node : moving_nodes_)
@@ -137,7 +138,7 @@ namespace swimtwin
     constexpr unsigned int    n = (dim + 1) * dim;
     std::vector<unsigned int> owned;
     for (unsigned int c = 0; c < mesh_.n_cells(); ++c)
-      if (mesh_.is_owned(c))
+      if (mesh_.is_owned(c) && !mirror_pairs.is_image(mesh_.cells[c]))
       {
         std::vector<unsigned int> rows(n);
         for (unsigned int i = 0; i < n; ++i)

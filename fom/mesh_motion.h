@@ -3,6 +3,7 @@
 
 #include <datasets/scene.h>
 #include <fom/condensation.h>
+#include <fom/mirror_pairs.h>
 #include <fom/simplex_mesh.h>
 
 #include <memory>
@@ -21,9 +22,11 @@ namespace swimtwin
   class MeshExtension
   {
   public:
-    /// `moving_nodes`: nodes whose displacement will be prescribed, `still_nodes`: nodes that stay. Collective.
+    /// `moving_nodes`: nodes whose displacement will be prescribed, `still_nodes`: nodes that stay. A mesh of mirror
+    /// pairs moves as such. Collective.
     MeshExtension(const SimplexMesh<dim> &mesh, const NodeNumbering<dim> &numbering, MeshMotion law,
-                  std::vector<unsigned int> moving_nodes, const std::vector<unsigned int> &still_nodes);
+                  std::vector<unsigned int> moving_nodes, const std::vector<unsigned int> &still_nodes,
+                  const MirrorPairs<dim> &mirror_pairs = {});
 
     /// Displacement of every node for prescribed displacements of the moving nodes. Collective. An empty result means
     /// that the solve failed.
@@ -37,7 +40,7 @@ namespace swimtwin
       std::vector<unsigned int>        rows;
       std::vector<std::vector<double>> matrix;
     };
-    void assemble(MeshMotion law);
+    void assemble(MeshMotion law, const MirrorPairs<dim> &mirror_pairs);
 
     const SimplexMesh<dim>   &mesh_;
     const NodeNumbering<dim> &numbering_;

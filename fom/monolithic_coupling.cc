@@ -1,5 +1,6 @@
 #include <fom/monolithic_coupling.h>
 
+#include <datasets/error.h>
 #include <fom/cpu_time.h>
 
 #include <algorithm>
@@ -183,6 +184,9 @@ namespace swimtwin
   template <int dim>
   void MonolithicCoupling<dim>::restore(const CouplingState &state)
   {
+    if (!state.unknowns.empty() && state.unknowns.size() != n_unknowns())
+      throw InputError(
+          "the checkpoint has other unknowns than this version gives the scene: start afresh with --force");
     unknowns_        = state.unknowns;
     unknowns_before_ = state.unknowns_before;
     contraction_     = {state.contraction, state.contraction_change, state.contraction_measured_at_step};

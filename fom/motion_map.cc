@@ -49,7 +49,7 @@ namespace swimtwin
                             const double length_scale_m)
       : imposed(n_fluid_rows + n_tail_rows + n_rigid<dim>, 0.), length_scale_(length_scale_m),
         kind_(imposed.size(), Kind::free), head_row_of_row_(imposed.size(), -1), masters_(imposed.size()),
-        rotation_(unit_symmetric_tensor<dim>())
+        sign_(imposed.size(), 1.), rotation_(unit_symmetric_tensor<dim>())
   {
     for (int k = 0; k < n_rigid<dim>; ++k)
       kind_[head_row(k)] = Kind::head;
@@ -77,6 +77,15 @@ namespace swimtwin
   }
 
   template <int dim>
+  void MotionMap<dim>::reflect(const unsigned int row, const unsigned int original, const double sign)
+  {
+    if (kind_[row] == Kind::imposed)
+      return;
+    tie(row, {original});
+    sign_[row] = sign;
+  }
+
+  template <int dim>
   void MotionMap<dim>::append_terms(const unsigned int row, const double factor)
   {
     switch (kind_[row])
@@ -87,18 +96,18 @@ namespace swimtwin
     case Kind::imposed:
       break;
     case Kind::head:
-      if (head_is_free_)
-      {
-        const unsigned int k = row - head_row(0);
+      if (const unsigned int k = row - head_row(0); k < n_head_unknowns())
         terms_.push_back({first_head_unknown() + k, k < dim ? factor : factor / length_scale_});
-      }
       break;
     case Kind::on_head: {
       if (!head_is_free_)
         break;
       const auto &[component, X] = head_rows_[head_row_of_row_[row]];
       const unsigned int first   = first_head_unknown();
-      terms_.push_back({first + component, factor});
+      if (component < n_head_unknowns())
+        terms_.push_back({first + component, factor});
+      if (head_stays_on_axis_)
+        break;
       const Tensor<1, dim> r = rotation_ * X / length_scale_;
       for (int k = 0; k < n_rotations<dim>; ++k)
       {
@@ -110,7 +119,7 @@ namespace swimtwin
     }
     case Kind::tied:
       for (const auto master : masters_[row])
-        append_terms(master, factor / masters_[row].size());
+        append_terms(master, sign_[row] * factor / masters_[row].size());
       break;
     }
   }
@@ -140,8 +149,7 @@ namespace swimtwin
     for (unsigned int row = 0; row < n_rows(); ++row)
       if (kind_[row] == Kind::free)
         ++first_of_rank[owner[row] + 1];
-    if (head_is_free)
-      first_of_rank[n_rank] += n_rigid<dim>;
+    first_of_rank[n_rank] += n_head_unknowns();
     for (unsigned int rank = 0; rank < n_rank; ++rank)
       first_of_rank[rank + 1] += first_of_rank[rank];
     n_unknowns_  = first_of_rank[n_rank];

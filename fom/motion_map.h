@@ -37,9 +37,9 @@ namespace swimtwin
   /// P as a sparse matrix with a constant part: value(row) = sum_k coefficient_k unknown_k + imposed(row).
   ///
   /// Rows are the nodal values of the fluid, then those of the tail, then the head's own velocities (m/s, rad/s). A row
-  /// is free (one unknown of its own), imposed (no unknown), tied to the tail's rows, or moves with the head. Unknowns
-  /// are numbered by rank; the head's come last: velocities (m/s) and angular velocities times the length scale (m/s),
-  /// so that all have like size.
+  /// is free (one unknown of its own), imposed (no unknown), tied to other rows, or moves with the head. Unknowns are
+  /// numbered by rank; the head's come last: velocities (m/s) and angular velocities times the length scale (m/s), so
+  /// that all have like size.
   template <int dim>
   class MotionMap
   {
@@ -64,6 +64,10 @@ namespace swimtwin
     }
     /// The row is the mean of other rows (one: equal to it).
     void tie(unsigned int row, std::vector<unsigned int> masters);
+    /// The row mirrors another one: it equals `sign` times that. What was imposed before stays imposed.
+    void reflect(unsigned int row, unsigned int original, double sign);
+    /// A free head moves along x and does not turn: one unknown.
+    void keep_head_on_axis() { head_stays_on_axis_ = true; }
 
     /// Number the unknowns. `owner` tells the rank of each row; a free head belongs to the last rank.
     void close(const std::vector<unsigned int> &owner, bool head_is_free, MPI_Comm communicator);
@@ -79,9 +83,11 @@ namespace swimtwin
     unsigned int first_owned() const { return first_owned_; }
     unsigned int last_owned() const { return last_owned_; }
     bool         head_is_free() const { return head_is_free_; }
+    /// Of the velocities U (then omega) of the head, the first so many are unknowns.
+    unsigned int n_head_unknowns() const { return !head_is_free_ ? 0 : head_stays_on_axis_ ? 1 : n_rigid<dim>; }
     /// Row of the head's k-th velocity: translations, then rotations.
     unsigned int head_row(const unsigned int k) const { return n_rows() - n_rigid<dim> + k; }
-    unsigned int first_head_unknown() const { return n_unknowns_ - n_rigid<dim>; }
+    unsigned int first_head_unknown() const { return n_unknowns_ - n_head_unknowns(); }
     double       length_scale() const { return length_scale_; }
 
     const Term *begin(const unsigned int row) const { return terms_.data() + first_term_[row]; }
@@ -107,11 +113,12 @@ namespace swimtwin
     std::vector<HeadRow>                   head_rows_;
     std::vector<int>                       head_row_of_row_;
     std::vector<std::vector<unsigned int>> masters_;
+    std::vector<double>                    sign_;    ///< of tied rows
     std::vector<unsigned int>              unknown_; ///< of free rows
     std::vector<Term>                      terms_;
     std::vector<unsigned int>              first_term_;
     unsigned int                           n_unknowns_ = 0, first_owned_ = 0, last_owned_ = 0;
-    bool                                   head_is_free_ = false;
+    bool                                   head_is_free_ = false, head_stays_on_axis_ = false;
     dealii::Tensor<2, dim>                 rotation_;
   };
 } // namespace swimtwin

@@ -1,6 +1,8 @@
 #include <fom/run_plan.h>
 
+#include <datasets/mirror_plane.h>
 #include <fom/full_order_model.h>
+#include <fom/mesh_around.h>
 
 #include <fmt/format.h>
 
@@ -101,6 +103,26 @@ namespace swimtwin
             {"coupling iterations", fmt::format("a step ends when its estimated error is below {:.0e} body lengths",
                                                 scene.numerics.coupling_tolerance)});
     }
+
+    void plan_symmetry(const Scene &scene, RunPlan &plan)
+    {
+      const MirrorPlane plane = find_mirror_plane(scene);
+      if (solves_half(scene))
+      {
+        plan.skipped.push_back({"lower half", "the scene has a mirror plane: the upper half is solved and reflected"});
+        if (const std::string warning = symmetry_warning(scene); !warning.empty())
+          plan.warnings.push_back(warning);
+      }
+      else if (plane.exists())
+        plan.solved.push_back(
+            {"both halves",
+             fmt::format("the scene has a mirror plane, but {}",
+                         scene.numerics.symmetric_half == SymmetricHalf::off ? "[numerics] symmetric_half = \"off\""
+                         : is_partitioned(scene) ? "coupling = \"fixed-point\" does not use it"
+                                                 : plane.doubt)});
+      else
+        plan.solved.push_back({"both halves", "no mirror plane: " + plane.missing});
+    }
   } // namespace
 
   RunPlan plan_run(const Scene &scene, const MPI_Comm communicator)
@@ -109,6 +131,7 @@ namespace swimtwin
     plan_fluid(scene, plan);
     plan_body(scene, plan);
     plan_mesh(scene, plan);
+    plan_symmetry(scene, plan);
     if (scene.output.fields_per_period == 0)
       plan.skipped.push_back({"field output", "[output] fields_per_period = 0"});
 
@@ -117,11 +140,7 @@ namespace swimtwin
     if (scene.fluid)
     {
       const auto rest    = swimmer.configuration_at_rest();
-      fluid              = std::make_unique<FluidDomain<2>>(scene,
-                                               make_fluid_mesh(*scene.domain, swimmer.surface(rest),
-                                                                            swimmer.surface_mesh_size(), rest.pose, rest.pose,
-                                                                            scene.numerics, communicator),
-                                               rest.pose);
+      fluid              = std::make_unique<FluidDomain<2>>(scene, mesh_around(swimmer, rest, communicator), rest.pose);
       plan.n_fluid_cells = fluid->mesh().n_cells();
       plan.mesh_quality  = fluid->quality();
       if (plan.mesh_quality < scene.numerics.remesh_quality)

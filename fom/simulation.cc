@@ -1,6 +1,7 @@
 #include <fom/simulation.h>
 
 #include <datasets/error.h>
+#include <datasets/mirror_plane.h>
 #include <datasets/output_folder.h>
 #include <datasets/run_summary_json.h>
 #include <fom/checkpoint.h>
@@ -163,6 +164,8 @@ namespace swimtwin
         std::vector<std::string> result;
         if (const std::string inertia = inertia_warning(scene_); !inertia.empty())
           result.push_back(inertia);
+        if (const std::string symmetry = symmetry_warning(scene_); !symmetry.empty())
+          result.push_back(symmetry);
         if (std::abs(summary.worst_power_imbalance) > open_balance)
           result.push_back(fmt::format("the power balance is open by {:.1f} % in the worst period: the motion is not "
                                        "resolved in time; raise [time] steps_per_period",

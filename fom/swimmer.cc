@@ -1,4 +1,6 @@
 #include <fom/swimmer.h>
+
+#include <datasets/mirror_plane.h>
 #include <fom/swimmer_outline.h>
 
 #include <algorithm>
@@ -16,7 +18,7 @@ namespace swimtwin
 
   template <int dim>
   Swimmer<dim>::Swimmer(const Scene &scene, const MPI_Comm communicator)
-      : scene_(scene), body_length_(scene.body_length_m())
+      : scene_(scene), body_length_(scene.body_length_m()), is_symmetric_(solves_half(scene))
   {
     const SwimmerOutline outline = make_outline(scene.head, scene.tail, scene.numerics);
     surface_at_rest_             = outline.surface();
@@ -81,6 +83,8 @@ namespace swimtwin
       surface_weight_[k] /= length;
       arm_at_rest_ += surface_weight_[k] * surface_at_rest_[k];
     }
+    if (is_symmetric_)
+      arm_at_rest_[1] = 0.;
   }
 
   template <int dim>
@@ -169,6 +173,8 @@ namespace swimtwin
     for (unsigned int k = 0; k < surface_weight_.size(); ++k)
       if (tail_node_of_surface_[k] >= 0)
         rate += surface_weight_[k] * shape_rate[tail_node_of_surface_[k]];
+    if (is_symmetric_)
+      rate[1] = 0.; // but for the sum's rounding
     return rate;
   }
 

@@ -111,5 +111,6 @@ namespace swimtwin
     dealii::Tensor<1, dim>            arm_at_rest_;
     std::vector<char>                 is_clamped_;
     double                            body_length_;
+    bool                              is_symmetric_; ///< half of the scene is solved and reflected
   };
 } // namespace swimtwin

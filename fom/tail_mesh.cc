@@ -1,4 +1,6 @@
 #include <fom/tail_mesh.h>
+
+#include <fom/mirror_pairs.h>
 #include <fom/triangulate.h>
 
 namespace swimtwin
@@ -23,24 +25,6 @@ namespace swimtwin
     {
       for (unsigned int i = 0; i + 1 < curve.size(); i += 2)
         polygon.push_back(curve[i]);
-    }
-
-    /// The upper half's mesh and its mirror image, glued along the first n_axis vertices.
-    /// Vertex v of the upper half has its image at image[v].
-    SimplexSoup<2> reflect(const SimplexSoup<2> &upper, const unsigned int n_axis, std::vector<unsigned int> &image)
-    {
-      SimplexSoup<2> whole = upper;
-      for (unsigned int v = 0; v < upper.vertices.size(); ++v)
-        if (v < n_axis)
-          image.push_back(v);
-        else
-        {
-          image.push_back(whole.vertices.size());
-          whole.vertices.push_back(mirrored(upper.vertices[v]));
-        }
-      for (const auto &[a, b, c] : upper.cells)
-        whole.cells.push_back({image[a], image[c], image[b]});
-      return whole;
     }
 
     /// Put mid-edge nodes of a boundary curve in place; `vertices` are the mesh's vertices along it.
@@ -96,7 +80,8 @@ namespace swimtwin
       root.push_back(n_axis + n_side - 2 + (n_root - 1 - i)); // axis -> root end
 
     std::vector<unsigned int> image;
-    TailMesh<2> tail{SimplexMesh<2>(reflect(triangulate(half, communicator), n_axis, image), communicator), {}, {}, {}};
+    TailMesh<2>               tail{
+        SimplexMesh<2>(reflect(triangulate(half, communicator), 0., image), communicator), {}, {}, {}, image};
     SimplexMesh<2> &mesh = tail.mesh;
 
     std::vector<unsigned int> upper, lower, upper_root, lower_root;

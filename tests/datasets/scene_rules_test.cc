@@ -344,4 +344,16 @@ namespace swimtwin
     expect_refused({"numerics.mesh_size_corner_m=1e-3"}, "is larger than on the surface (0.00013");
     expect_refused({"numerics.mesh_size_far_m=1e-5"}, "[numerics] mesh_size_far_m = 1e-05 m: the mesh size far away");
   }
+
+  TEST(SceneRules, HalfOfASceneIsSolvedOnlyWhereItTellsTheOtherHalf)
+  {
+    const Overrides on{"numerics.symmetric_half=on"}, aligned{"field.by_T=0.0"};
+    expect_refused(on, "symmetric_half = \"on\" needs a scene that is its own mirror image, but the field acts across "
+                       "the axis; use \"auto\" or \"off\".");
+    expect_refused(on + aligned + Overrides{"numerics.coupling=fixed-point"},
+                   "symmetric_half = \"on\" does not go with coupling = \"fixed-point\", which solves the whole scene; "
+                   "use \"off\", or coupling = \"monolithic\".");
+    expect_accepted(swimmer_toml, on + aligned);
+    expect_refused({"numerics.symmetric_half=half"}, "symmetric_half");
+  }
 } // namespace swimtwin

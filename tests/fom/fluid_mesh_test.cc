@@ -113,6 +113,72 @@ namespace swimtwin
     }
   }
 
+  namespace
+  {
+    FluidMesh<2> symmetric_mesh(const MeshedScene &meshed)
+    {
+      const auto &swimmer = meshed.swimmer;
+      return make_symmetric_fluid_mesh(*meshed.scene.domain, swimmer.surface(swimmer.configuration_at_rest()),
+                                       swimmer.surface_mesh_size(), swimmer.pose_at_rest(), swimmer.pose_at_rest(),
+                                       meshed.scene.numerics, MPI_COMM_WORLD);
+    }
+
+    std::vector<Scene> symmetric_scenes()
+    {
+      std::vector<Scene> scenes;
+      scenes.push_back(shipped_scene("reference-2d-casefile", coarse));
+      scenes.push_back(shipped_scene("passive-tail-channel", {"head.center_m=[0.0, 0.0]"}));
+      scenes.push_back(shipped_scene("open-2d", coarse));
+      for (const char *side : {"head.center_m=[-13e-3, 0.0]", "head.center_m=[8e-3, 0.0]"})
+        scenes.push_back(shipped_scene("annulus", {"numerics.mesh_size_m=4e-4", side}));
+      return scenes;
+    }
+  } // namespace
+
+  TEST(SymmetricFluidMesh, IsItsOwnMirrorImageToTheLastDigit)
+  {
+    for (const Scene &scene : symmetric_scenes())
+    {
+      const MeshedScene  meshed(scene);
+      const FluidMesh<2> fluid = symmetric_mesh(meshed);
+      ASSERT_EQ(fluid.image_of_vertex.size(), fluid.mesh.n_vertices());
+      const auto image_of = [&](const unsigned int node) {
+        if (node < fluid.mesh.n_vertices())
+          return fluid.image_of_vertex[node];
+        const auto &[a, b] = fluid.mesh.edges()[node - fluid.mesh.n_vertices()];
+        return fluid.mesh.edge_node(fluid.image_of_vertex[a], fluid.image_of_vertex[b]);
+      };
+      for (unsigned int node = 0; node < fluid.mesh.n_nodes(); ++node)
+        EXPECT_EQ(fluid.mesh.nodes[image_of(node)], Point<2>(fluid.mesh.nodes[node][0], -fluid.mesh.nodes[node][1]));
+    }
+  }
+
+  // The other mesh of the same region has the same surface and walls, and fills the same area but for round walls,
+  // which are divided alike.
+  TEST(SymmetricFluidMesh, HasTheSurfaceTheWallsAndTheAreaOfTheOtherMesh)
+  {
+    for (const Scene &scene : symmetric_scenes())
+    {
+      MeshedScene  meshed(scene);
+      FluidMesh<2> fluid = symmetric_mesh(meshed);
+      ASSERT_EQ(fluid.surface_nodes.size(), meshed.fluid.surface_nodes.size());
+      for (unsigned int k = 0; k < fluid.surface_nodes.size(); ++k)
+        EXPECT_LE(
+            fluid.mesh.nodes[fluid.surface_nodes[k]].distance(meshed.fluid.mesh.nodes[meshed.fluid.surface_nodes[k]]),
+            1e-17);
+      ASSERT_EQ(fluid.wall_nodes.size(), meshed.fluid.wall_nodes.size());
+      for (unsigned int i = 0; i < fluid.wall_nodes.size(); ++i)
+      {
+        const auto &a = fluid.wall_nodes[i], &b = meshed.fluid.wall_nodes[i];
+        EXPECT_LE(fluid.mesh.nodes[a.node].distance(meshed.fluid.mesh.nodes[b.node]), 1e-16);
+        EXPECT_EQ(a.wall->condition, b.wall->condition);
+      }
+      const double area = meshed.area();
+      meshed.fluid      = std::move(fluid);
+      EXPECT_NEAR(meshed.area(), area, 1e-12 * area);
+    }
+  }
+
   // speed_m_s is the mean: the parabola's maximum is 1.5 times that, after the ramp.
   TEST(WallVelocity, InflowIsAParabolaOfTheGivenMean)
   {

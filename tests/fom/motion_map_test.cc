@@ -151,4 +151,38 @@ namespace swimtwin
     EXPECT_EQ(fixed.at(rows, 1).norm(), 0.);
     EXPECT_EQ(fixed.at(rows, 2).norm(), 0.);
   }
+
+  TYPED_TEST(MotionMapTest, ReflectedRowsFollowTheirOriginalsWithASignAndImposedOnesStay)
+  {
+    constexpr int   dim = TestFixture::dimension;
+    SmallMap<dim>   small;
+    MotionMap<dim> &map = small.map;
+    const auto      row = SmallMap<dim>::row;
+    map.reflect(row(0, 0), row(4, 0), -1.); // imposed before
+    map.reflect(row(4, 1), row(6, 1), -1.);
+    map.close(std::vector<unsigned int>(SmallMap<dim>::n_nodes * dim, 0), true, MPI_COMM_WORLD);
+    map.imposed[row(0, 0)] = 7.;
+    const auto rows        = map.expand(small.random_vector(map.n_unknowns()));
+    EXPECT_EQ(rows[row(0, 0)], 7.);
+    EXPECT_EQ(rows[row(4, 1)], -rows[row(6, 1)]);
+    EXPECT_NE(rows[row(4, 1)], 0.);
+  }
+
+  TYPED_TEST(MotionMapTest, AHeadOnTheAxisHasOneUnknownAndMovesAlongX)
+  {
+    constexpr int dim = TestFixture::dimension;
+    SmallMap<dim> small;
+    const auto    n_unknowns = small.map.n_unknowns();
+    small.map.keep_head_on_axis();
+    small.map.close(std::vector<unsigned int>(SmallMap<dim>::n_nodes * dim, 0), true, MPI_COMM_WORLD);
+    EXPECT_EQ(small.map.n_unknowns(), n_unknowns - n_rigid<dim> + 1);
+    EXPECT_EQ(small.map.first_head_unknown(), small.map.n_unknowns() - 1);
+    const auto y    = small.random_vector(small.map.n_unknowns());
+    const auto rows = small.map.expand(y);
+    for (const unsigned int node : {1, 2, 5})
+      for (int c = 0; c < dim; ++c)
+        EXPECT_EQ(small.at(rows, node)[c], c == 0 ? y.back() : 0.);
+    for (int k = 0; k < n_rigid<dim>; ++k)
+      EXPECT_EQ(rows[small.map.head_row(k)], k == 0 ? y.back() : 0.);
+  }
 } // namespace swimtwin
