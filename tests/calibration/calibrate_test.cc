@@ -52,8 +52,9 @@ namespace swimtwin
               "the bounds exclude every start that the model was trained for: they allow E/mu (1/s) from 20 to 200");
     CalibrationProblem nowhere = two_ratios();
     nowhere.allow_untrained    = true;
-    nowhere.free[0].lower      = 1e300;
-    nowhere.free[0].upper      = 1e305;
+    nowhere.n_starts           = 2;
+    nowhere.free[1].lower      = 1e150;
+    nowhere.free[1].upper      = 1e151;
     expect_in(refusal(nowhere, {exact_curve(3, known_swimmer())}), "the bounds exclude every start: the swimmer");
   }
 
