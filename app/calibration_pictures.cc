@@ -5,6 +5,7 @@
 #include <app/pairs_picture.h>
 #include <app/profiles_picture.h>
 #include <app/run_picture.h>
+#include <app/waterfall_picture.h>
 
 #include <fmt/format.h>
 
@@ -123,17 +124,17 @@ namespace swimtwin
                          result.n_degrees_of_freedom, bands);
     }
 
-    bool has_converged(const FitStart &start)
+    void add_gains(GnuplotPicture &picture, const NextExperiment &next)
     {
-      return start.status.starts_with("converged");
-    }
-
-    double nice_step(const double n)
-    {
-      for (const double step : {1., 2., 5., 10., 20., 50., 100.})
-        if (n <= 16. * step)
-          return step;
-      return std::ceil(n / 16.);
+      picture.table.begin_block("frequency (Hz), interval (% of today's), gain of information");
+      for (std::size_t i = 0; i < next.frequency_Hz.size(); ++i)
+        picture.table.add_row({next.frequency_Hz[i], 100. * next.interval_ratio[i],
+                               i < next.information_gain.size() ? next.information_gain[i] : 0.});
+      picture.table.begin_block("best for the parameter: frequency (Hz), interval (% of today's)");
+      picture.table.add_row({next.best_frequency_Hz, 100. * next.best_interval_ratio});
+      const auto most = std::max_element(next.information_gain.begin(), next.information_gain.end());
+      picture.table.begin_block("most informative: frequency (Hz), gain of information");
+      picture.table.add_row({next.most_informative_frequency_Hz, most == next.information_gain.end() ? 0. : *most});
     }
   } // namespace
 
@@ -158,39 +159,6 @@ namespace swimtwin
     return picture;
   }
 
-  GnuplotPicture waterfall_picture(const CalibrationResult &result)
-  {
-    GnuplotPicture picture;
-    picture.name      = "waterfall";
-    picture.script    = calibration_scripts::waterfall;
-    const auto n      = static_cast<double>(result.starts.size());
-    double     lowest = result.starts.front().misfit, highest = lowest, n_converged = 0., n_best = 0.;
-    picture.table.begin_block("start, misfit there, misfit reached, 1 if converged");
-    for (std::size_t i = 0; i < result.starts.size(); ++i)
-    {
-      const FitStart &start = result.starts[i];
-      lowest                = std::min({lowest, start.misfit, start.misfit_at_start});
-      highest               = std::max({highest, start.misfit, start.misfit_at_start});
-      n_converged += has_converged(start) ? 1. : 0.;
-      n_best += start.misfit <= result.starts.front().misfit * (1. + 1e-6) + 1e-9 ? 1. : 0.;
-      picture.table.add_row(
-          {static_cast<double>(i) + 1., start.misfit_at_start, start.misfit, has_converged(start) ? 1. : 0.});
-    }
-    picture.set_text("heading", "Starts and where they ended");
-    picture.set_text("caption", fmt::format("{} of {} starts reached the best misfit of {}", n_best, n,
-                                            plain_number(result.starts.front().misfit, 5)));
-    picture.set("n_starts", n);
-    picture.set("tick_step", nice_step(n));
-    const bool   logarithmic = lowest > 0. && highest > 10. * lowest;
-    const double margin      = std::max(0.06 * (highest - lowest), 1e-3 * std::abs(highest) + 1e-12);
-    const double ratio       = std::pow(highest / lowest, 0.06);
-    picture.set_flag("logarithmic", logarithmic);
-    picture.set("m_min", logarithmic ? lowest / ratio : lowest - margin);
-    picture.set("m_max", logarithmic ? highest * ratio : highest + margin);
-    picture.set_flag("all_converged", n_converged == n);
-    return picture;
-  }
-
   GnuplotPicture next_experiment_picture(const CalibrationResult &result)
   {
     const NextExperiment &next  = *result.next;
@@ -204,18 +172,10 @@ namespace swimtwin
                                             plain_number(100. * next.best_interval_ratio, 3)));
     picture.set_text("interval_label", fmt::format("interval of {} (% of today's)", shown.symbol));
     set_frequency_axis(picture, next.frequency_Hz.front(), next.frequency_Hz.back());
-    picture.table.begin_block("frequency (Hz), interval (% of today's), gain of information");
-    for (std::size_t i = 0; i < next.frequency_Hz.size(); ++i)
-      picture.table.add_row({next.frequency_Hz[i], 100. * next.interval_ratio[i],
-                             i < next.information_gain.size() ? next.information_gain[i] : 0.});
-    picture.table.begin_block("best for the parameter: frequency (Hz), interval (% of today's)");
-    picture.table.add_row({next.best_frequency_Hz, 100. * next.best_interval_ratio});
+    add_gains(picture, next);
     picture.table.begin_block("observed so far: frequency (Hz)");
     for (const ObservationResidual &residual : result.residuals)
       picture.table.add_row({residual.frequency_Hz});
-    const auto most = std::max_element(next.information_gain.begin(), next.information_gain.end());
-    picture.table.begin_block("most informative: frequency (Hz), gain of information");
-    picture.table.add_row({next.most_informative_frequency_Hz, most == next.information_gain.end() ? 0. : *most});
     return picture;
   }
 

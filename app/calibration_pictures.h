@@ -10,8 +10,6 @@ namespace swimtwin
 {
   /// Data, curve and bands against frequency, residuals below; needs residuals.
   GnuplotPicture fit_picture(const CalibrationResult &result);
-  /// Misfit where each start began and where it ended; needs starts.
-  GnuplotPicture waterfall_picture(const CalibrationResult &result);
   /// What one more observation would do; needs `next`.
   GnuplotPicture next_experiment_picture(const CalibrationResult &result);
 

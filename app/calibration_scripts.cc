@@ -169,7 +169,7 @@ set offsets 0,0,graph 0.1,graph 0.1
 set ylabel interval_label
 plot data index 0 using 1:2 with lines lw 2.4 lc rgb head_color notitle, \
      data index 1 using 1:2 with points pt 7 ps 1.9 lc rgb tail_color title 'best', \
-     data index 2 using 1:(100) with points pt 9 ps 1.5 lc rgb note_color title 'frequencies observed so far'
+     data index 3 using 1:(100) with points pt 9 ps 1.5 lc rgb note_color title 'frequencies observed so far'
 unset label 1; unset label 2
 top = 0.43; bottom = 0.12
 eval(panel)
@@ -178,7 +178,7 @@ eval(lower_tics)
 set xlabel 'frequency of one more observation (Hz)'
 set ylabel 'gain of information'
 plot data index 0 using 1:3 with lines lw 2.4 lc rgb head_color notitle, \
-     data index 3 using 1:2 with points pt 7 ps 1.9 lc rgb tail_color notitle
+     data index 2 using 1:2 with points pt 7 ps 1.9 lc rgb tail_color notitle
 unset multiplot
 )gp";
 } // namespace swimtwin::calibration_scripts

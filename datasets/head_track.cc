@@ -15,6 +15,10 @@ namespace swimtwin
     std::map<double, std::vector<std::size_t>> rows_by_frequency(const CsvTable &table, const Recording *recording,
                                                                  DataProblems &problems)
     {
+      if (recording != nullptr && table.has_column("frequency_Hz"))
+        problems.warning(
+            fmt::format("{}: the column frequency_Hz is not used; the [[recording]] says {} Hz for the whole file.",
+                        table.where_header(), recording->frequency_Hz));
       std::map<double, std::vector<std::size_t>> groups;
       const std::vector<double>                  frequency_Hz =
           recording != nullptr ? std::vector<double>(table.n_rows(), recording->frequency_Hz)
@@ -44,6 +48,36 @@ namespace swimtwin
           picked.push_back(values[row]);
       return picked;
     }
+
+    struct Columns
+    {
+      std::vector<double> time_s, x_m, y_m, angle_rad;
+    };
+
+    Columns read_columns(const CsvTable &table, DataProblems &problems)
+    {
+      return {finite_cells(table, "time_s", "s of the camera's clock", problems),
+              finite_cells(table, "x_m", "m", problems), finite_cells(table, "y_m", "m", problems),
+              table.has_column("angle_rad") ? finite_cells(table, "angle_rad", "rad", problems)
+                                            : std::vector<double>()};
+    }
+
+    HeadTrack make_track(const CsvTable &table, const Columns &columns, const std::vector<std::size_t> &rows,
+                         const double frequency_Hz, const double period_start_s, DataProblems &problems)
+    {
+      HeadTrack track{frequency_Hz,
+                      period_start_s,
+                      pick(columns.time_s, rows),
+                      pick(columns.x_m, rows),
+                      pick(columns.y_m, rows),
+                      pick(columns.angle_rad, rows),
+                      table.where(rows.front())};
+      check_times(table, rows, track, problems);
+      if (rows.size() < n_rows_min)
+        problems.error(fmt::format("{}: {} rows at {} Hz are not a track; at least {} are needed, and many per period.",
+                                   track.where, rows.size(), frequency_Hz, n_rows_min));
+      return track;
+    }
   } // namespace
 
   bool is_track_table(const CsvTable &table)
@@ -54,31 +88,15 @@ namespace swimtwin
   std::vector<HeadTrack> head_tracks(const CsvTable &table, const Recording *recording, const double period_start_s,
                                      DataProblems &problems)
   {
-    DataProblems              own;
-    const std::vector<double> time_s = finite_cells(table, "time_s", "s of the camera's clock", own);
-    const std::vector<double> x_m    = finite_cells(table, "x_m", "m", own);
-    const std::vector<double> y_m    = finite_cells(table, "y_m", "m", own);
-    const std::vector<double> angle_rad =
-        table.has_column("angle_rad") ? finite_cells(table, "angle_rad", "rad", own) : std::vector<double>();
-    if (recording != nullptr && table.has_column("frequency_Hz"))
-      own.warning(
-          fmt::format("{}: the column frequency_Hz is not used; the [[recording]] says {} Hz for the whole file.",
-                      table.where_header(), recording->frequency_Hz));
-    std::vector<HeadTrack> tracks;
-    const auto             groups = rows_by_frequency(table, recording, own);
+    DataProblems  own;
+    const Columns columns = read_columns(table, own);
+    const auto    groups  = rows_by_frequency(table, recording, own);
     if (!own.has_errors() && groups.empty())
       own.error(fmt::format("{}: there are no rows; a track needs a row per frame.", table.where_header()));
+    std::vector<HeadTrack> tracks;
     if (!own.has_errors())
       for (const auto &[frequency_Hz, rows] : groups)
-      {
-        HeadTrack track{frequency_Hz,    period_start_s,        pick(time_s, rows),       pick(x_m, rows),
-                        pick(y_m, rows), pick(angle_rad, rows), table.where(rows.front())};
-        check_times(table, rows, track, own);
-        if (rows.size() < n_rows_min)
-          own.error(fmt::format("{}: {} rows at {} Hz are not a track; at least {} are needed, and many per period.",
-                                table.where(rows.front()), rows.size(), frequency_Hz, n_rows_min));
-        tracks.push_back(std::move(track));
-      }
+        tracks.push_back(make_track(table, columns, rows, frequency_Hz, period_start_s, own));
     problems.append(own);
     return own.has_errors() ? std::vector<HeadTrack>() : tracks;
   }

@@ -64,6 +64,19 @@ namespace swimtwin
             set.extra_columns[names[column]].push_back(table.cells(row)[column]);
     }
 
+    struct Numbers
+    {
+      std::vector<double> frequency_Hz, value, sigma;
+    };
+
+    Numbers read_numbers(const CsvTable &table, const Columns &columns, DataProblems &problems)
+    {
+      return {positive_cells(table, "frequency_Hz", "give the frequency of the field in Hz", problems),
+              finite_cells(table, columns.value, columns.unit, problems),
+              positive_cells(table, columns.sigma,
+                             "give one standard deviation of " + columns.value + ", or leave the row out", problems)};
+    }
+
     void warn_of_error_bars(const ObservationSet &set, DataProblems &problems)
     {
       const auto says_nothing = [](const Observation &p) { return p.sigma_m >= std::abs(p.displacement_m); };
@@ -84,12 +97,9 @@ namespace swimtwin
     DataProblems  own;
     const Columns columns = columns_of(table);
     refuse_twin_columns(table, own);
-    const auto frequency_Hz = positive_cells(table, "frequency_Hz", "give the frequency of the field in Hz", own);
-    const auto value        = finite_cells(table, columns.value, columns.unit, own);
-    const auto sigma        = positive_cells(
-               table, columns.sigma, "give one standard deviation of " + columns.value + ", or leave the row out", own);
-    const std::vector<std::size_t> rows = sorted_rows(frequency_Hz);
-    refuse_duplicates(table, frequency_Hz, rows, own);
+    const Numbers                  numbers = read_numbers(table, columns, own);
+    const std::vector<std::size_t> rows    = sorted_rows(numbers.frequency_Hz);
+    refuse_duplicates(table, numbers.frequency_Hz, rows, own);
     if (table.n_rows() < 2)
       own.error(fmt::format("{}: {} point(s) are no curve; at least 2 are needed, and more than parameters to fit.",
                             table.where_header(), table.n_rows()));
@@ -99,9 +109,9 @@ namespace swimtwin
     set.quantity = columns.unit == "m" ? ObservedQuantity::displacement : ObservedQuantity::mean_speed;
     for (const std::size_t row : rows)
     {
-      const double per_period = columns.unit == "m" ? 1. : frequency_Hz[row];
-      set.points.push_back(
-          {frequency_Hz[row], value[row] / per_period, sigma[row] / per_period, table.where(row), 0, 0., 0.});
+      const double frequency_Hz = numbers.frequency_Hz[row], per_period = columns.unit == "m" ? 1. : frequency_Hz;
+      set.points.push_back({frequency_Hz, numbers.value[row] / per_period, numbers.sigma[row] / per_period,
+                            table.where(row), 0, 0., 0.});
     }
     keep_extra_columns(table, columns, rows, set);
     warn_of_error_bars(set, problems);

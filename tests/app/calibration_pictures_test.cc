@@ -2,6 +2,7 @@
 #include <app/pairs_picture.h>
 #include <app/plots.h>
 #include <app/profiles_picture.h>
+#include <app/waterfall_picture.h>
 #include <tests/app/synthetic_calibration.h>
 #include <tests/datasets/temporary_folder.h>
 
@@ -179,6 +180,16 @@ namespace swimtwin
     expect_in(variable(picture, "caption"), "27 of 32 starts reached the best misfit of 9.87");
     EXPECT_EQ(variable(picture, "all_converged"), "0");
     EXPECT_EQ(variable(picture, "logarithmic"), "1");
+  }
+
+  TEST(WaterfallPicture, StartsThatFailedDoNotSpoilTheAxis)
+  {
+    CalibrationResult result         = synthetic_calibration();
+    result.starts.back().misfit      = std::nan("");
+    result.starts[3].misfit_at_start = INFINITY;
+    const GnuplotPicture picture     = waterfall_picture(result);
+    EXPECT_LT(std::stod(variable(picture, "m_min")), 9.87);
+    EXPECT_LT(std::stod(variable(picture, "m_max")), 1e5);
   }
 
   TEST(NextExperimentPicture, NamesTheBestFrequency)

@@ -1,4 +1,6 @@
 #include <app/calibration_report.h>
+#include <app/gnuplot.h>
+#include <app/tool.h>
 #include <tests/app/synthetic_calibration.h>
 #include <tests/app/tag_balance.h>
 #include <tests/datasets/temporary_folder.h>
@@ -12,6 +14,16 @@ namespace swimtwin
       const std::string text = calibration_page(result, "a fit", {}).text();
       EXPECT_EQ(first_unbalanced_tag(text), "");
       return text;
+    }
+
+    /// Exit code of `swimtwin report`.
+    int report(std::vector<std::string> arguments)
+    {
+      arguments.insert(arguments.begin(), {"swimtwin", "report"});
+      std::vector<char *> argv;
+      for (std::string &argument : arguments)
+        argv.push_back(argument.data());
+      return run_tool(static_cast<int>(argv.size()), argv.data(), {{"report", add_report}});
     }
   } // namespace
 
@@ -88,5 +100,20 @@ namespace swimtwin
     EXPECT_TRUE(is_calibration(folder.path));
     const CalibrationResult read = read_calibration_result(folder.path / "calibration.json");
     EXPECT_EQ(page_of(read), page_of(synthetic_calibration()));
+  }
+
+  TEST(CalibrationReport, VerbReportMakesIt)
+  {
+    const TemporaryFolder folder;
+    write_calibration_result(folder.path / "calibration.json", synthetic_calibration());
+    ASSERT_EQ(report({folder.path, "--quiet"}), 0);
+    const std::string page = content(folder.path / "report.html");
+    expect_in(page, "class=\"verdict good\">converged");
+    if (gnuplot_is_installed())
+      expect_in(page, "<img alt=\"next experiment\"");
+    EXPECT_EQ(n_files(folder.path), 2u); // what was drawn on is gone
+    folder.write("calibration.json", "{}");
+    EXPECT_EQ(report({folder.path, "--quiet", "--force"}), 2);
+    EXPECT_EQ(content(folder.path / "report.html"), page);
   }
 } // namespace swimtwin

@@ -1,0 +1,11 @@
+// The starts of a fit: where each began and where it ended.
+#pragma once
+
+#include <app/gnuplot.h>
+#include <datasets/calibration_result.h>
+
+namespace swimtwin
+{
+  /// Misfits of the starts, best first; needs starts.
+  GnuplotPicture waterfall_picture(const CalibrationResult &result);
+} // namespace swimtwin

@@ -1,0 +1,155 @@
+#include <tests/calibration/central_difference.h>
+#include <tests/calibration/synthetic_curve.h>
+
+namespace swimtwin
+{
+  namespace
+  {
+    std::vector<SwimmingCondition> conditions(const std::optional<int> period)
+    {
+      return calibration_data({exact_curve(3, known_swimmer(), period)}).conditions;
+    }
+
+    CalibratedSwimmer changed(const MotionQuantity quantity, const double logarithm)
+    {
+      CalibratedSwimmer swimmer   = known_swimmer();
+      double           *members[] = {&swimmer.young_modulus_Pa, &swimmer.viscosity_Pa_s, &swimmer.magnetization_A_m,
+                                     &swimmer.field_scale};
+      *members[quantity] *= std::exp(logarithm);
+      return swimmer;
+    }
+
+    void expect_derivatives(const std::optional<int> period, const double tolerance)
+    {
+      ExactDisplacements  exact(reference_swimmer(), conditions(period), {.relative_tolerance = 1e-11});
+      const Displacements at    = exact.evaluate(known_swimmer(), true);
+      const double        h     = 1e-2;
+      const double        scale = at.value_m.cwiseAbs().maxCoeff();
+      for (int q = 0; q < n_motion_quantities; ++q)
+      {
+        const auto            quantity   = static_cast<MotionQuantity>(q);
+        const Eigen::VectorXd difference = central_difference(
+            [&](const double step) { return Eigen::VectorXd(exact.evaluate(changed(quantity, step), false).value_m); },
+            h);
+        EXPECT_LT((difference - at.by_logarithm.col(q)).cwiseAbs().maxCoeff(), tolerance * scale) << q;
+      }
+    }
+
+    /// Every length s times as long. Per unit depth areas grow with s^2, and so do torques and energies; of the
+    /// resistances force to velocity keeps its size, couple to turning grows with s^2.
+    ReducedModel similar(ReducedModel model, const double s)
+    {
+      const int n = model.n_modes() + 3, R = model.tail.n_amplitudes();
+      model.tail.nodes_m *= s;
+      model.tail.followers /= s;
+      for (Eigen::MatrixXd *gram : {&model.elasticity.gram_lambda, &model.elasticity.gram_mu})
+      {
+        gram->rightCols(gram->cols() - R) /= s; // products of two amplitudes instead of one
+        gram->bottomRows(gram->rows() - R) /= s;
+      }
+      model.magnet.head_area_m2 *= s * s;
+      model.magnet.tail_area_m2 *= s * s;
+      model.magnet.tail_area_of_mode_m *= s;
+      model.area.linear_m *= s;
+      Eigen::VectorXd row             = Eigen::VectorXd::Ones(n);
+      row[2]                          = s;
+      model.resistance.factor_at_rest = row.asDiagonal() * model.resistance.factor_at_rest;
+      model.resistance.coordinate_scale_m *= s;
+      return model;
+    }
+  } // namespace
+
+  TEST(ExactDisplacements, DerivativesAgreeWithDifferencesInTheThirdPeriod)
+  {
+    expect_derivatives(3, 1e-6);
+  }
+
+  TEST(ExactDisplacements, DerivativesAgreeWithDifferencesInThePeriodicMotion)
+  {
+    expect_derivatives(std::nullopt, 1e-5);
+  }
+
+  TEST(ExactDisplacements, ASimilarSwimmerSwimsFartherInProportionToItsLength)
+  {
+    const double           s = 1.7;
+    const CalibrationModel larger(similar(reference_model(), s));
+    for (const std::optional<int> period : {std::optional<int>(3), std::optional<int>()})
+    {
+      const auto            same     = conditions(period);
+      const Eigen::VectorXd of_scene = ExactDisplacements(reference_swimmer(), same, {.relative_tolerance = 1e-9})
+                                           .evaluate(known_swimmer(), false)
+                                           .value_m;
+      const Eigen::VectorXd of_larger =
+          ExactDisplacements(larger, same, {.relative_tolerance = 1e-9}).evaluate(known_swimmer(), false).value_m;
+      EXPECT_LT((of_larger - s * of_scene).cwiseAbs().maxCoeff(), 1e-6 * of_larger.cwiseAbs().maxCoeff());
+    }
+  }
+
+  TEST(ExactDisplacements, OnlyTheGroupsMatter)
+  {
+    ExactDisplacements    exact(reference_swimmer(), conditions(3), {.relative_tolerance = 1e-10});
+    const Eigen::VectorXd D        = exact.evaluate(known_swimmer(), false).value_m;
+    CalibratedSwimmer     together = known_swimmer();
+    together.young_modulus_Pa *= 1.3;
+    together.viscosity_Pa_s *= 1.3;
+    together.magnetization_A_m *= 1.3;
+    EXPECT_LT((exact.evaluate(together, false).value_m - D).cwiseAbs().maxCoeff(), 1e-7 * D.maxCoeff());
+    CalibratedSwimmer field = known_swimmer();
+    field.field_scale       = 1.25;
+    field.magnetization_A_m /= 1.25;
+    EXPECT_LT((exact.evaluate(field, false).value_m - D).cwiseAbs().maxCoeff(), 1e-7 * D.maxCoeff());
+  }
+
+  TEST(ExactDisplacements, SaysWhereTheModelWasNotTrained)
+  {
+    const ExactDisplacements exact(reference_swimmer(), conditions(3), {});
+    EXPECT_EQ(exact.trust(known_swimmer()).front(), "");
+    CalibratedSwimmer stiff = known_swimmer();
+    stiff.young_modulus_Pa  = 1e6;
+    EXPECT_NE(exact.trust(stiff).front().find("young_modulus_Pa = 1e+06 above 3e+05"), std::string::npos);
+    stiff.viscosity_Pa_s *= 12.; // the same E/mu as a soft tail, M/mu too small
+    stiff.magnetization_A_m *= 6.;
+    EXPECT_NE(exact.trust(stiff).front().find("magnetization_A_m = 6.5e+04 below 1e+05"), std::string::npos);
+    EXPECT_EQ(exact.trust(stiff).front().find("young"), std::string::npos);
+  }
+
+  TEST(ExactDisplacements, AreTheSameForAnyNumberOfThreads)
+  {
+    ExactDisplacements one(reference_swimmer(), conditions(3), {.n_threads = 1}),
+        two(reference_swimmer(), conditions(3), {.n_threads = 2});
+    EXPECT_EQ(one.evaluate(known_swimmer(), true).by_logarithm, two.evaluate(known_swimmer(), true).by_logarithm);
+    EXPECT_EQ(two.n_runs(), 3);
+  }
+
+  TEST(DisplacementTable, AgreesWithExactDisplacementsAndTheirSensitivities)
+  {
+    const Setting      setting(two_ratios(), {exact_curve(6, known_swimmer())});
+    const auto         table = setting.table();
+    ExactDisplacements exact(reference_swimmer(), setting.data.conditions,
+                             {.relative_tolerance = 1e-9, .n_threads = 2});
+    CalibratedSwimmer  off = known_swimmer();
+    off.young_modulus_Pa *= 1.17;
+    off.magnetization_A_m *= 0.88;
+    const Displacements a = exact.evaluate(off, true), b = table->evaluate(off, true);
+    const double        scale = a.value_m.cwiseAbs().maxCoeff();
+    EXPECT_LT((a.value_m - b.value_m).cwiseAbs().maxCoeff(), 1e-4 * scale);
+    EXPECT_LT((a.by_logarithm - b.by_logarithm).cwiseAbs().maxCoeff(), 1e-3 * scale);
+    EXPECT_LT(table->interpolation_error(), 1e-4);
+    EXPECT_TRUE(table->covers(off));
+  }
+
+  TEST(DisplacementTable, GoesOnAsATangentPlane)
+  {
+    const Setting     setting(two_ratios(), {exact_curve(6, known_swimmer())});
+    const auto        table = setting.table();
+    CalibratedSwimmer edge = known_swimmer(), beyond = known_swimmer();
+    edge.young_modulus_Pa *= std::exp(0.25);
+    beyond.young_modulus_Pa *= std::exp(0.35);
+    const Displacements at = table->evaluate(edge, true);
+    EXPECT_FALSE(table->covers(beyond));
+    EXPECT_LT((table->evaluate(beyond, false).value_m - at.value_m - 0.1 * at.by_logarithm.col(by_young_modulus))
+                  .cwiseAbs()
+                  .maxCoeff(),
+              1e-12);
+  }
+} // namespace swimtwin
