@@ -108,8 +108,8 @@ namespace swimtwin
         result_.fields.push_back(measured_field(tuned_field_name, task_, found));
       }
 
-      /// On from the tuned sinusoid, and from around it; through the symmetric fields, which the sinusoid belongs to, to
-      /// the general ones.
+      /// On from the tuned sinusoid, and from around it; through the symmetric fields, which the sinusoid belongs to,
+      /// to the general ones.
       void find_optimum()
       {
         tell("the optimal field");

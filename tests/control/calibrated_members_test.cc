@@ -11,8 +11,8 @@ namespace swimtwin
     CalibrationResult     result;
     result.status = "converged";
     for (int i = 0; i < 10; ++i)
-      result.posterior.push_back({.young_modulus_Pa = 1e5 + i, .viscosity_Pa_s = 1.5, .magnetization_A_m = 1e5,
-                                  .field_scale = 1.1});
+      result.posterior.push_back(
+          {.young_modulus_Pa = 1e5 + i, .viscosity_Pa_s = 1.5, .magnetization_A_m = 1e5, .field_scale = 1.1});
     SwimmingGoal goal;
     EXPECT_TRUE(members_of(goal).empty());
     goal.robust.calibration = folder.path / "calibration.json";

@@ -3,7 +3,7 @@
 #include <control/robust_search.h>
 #include <control/settled_start.h>
 #include <datasets/error.h>
-#include <tests/rom/example_model.h>
+#include <tests/control/small_model.h>
 
 #include <gtest/gtest.h>
 
@@ -16,13 +16,13 @@ namespace swimtwin
     protected:
       Plans()
       {
-        goal.weights           = {{StrokeTerm::mean_speed, 1.}};
-        goal.swimmer           = request.parameters;
-        goal.n_harmonics       = 2;
-        goal.family            = FieldFamily::symmetric;
-        goal.field.magnitude_T = 7e-3;
-        goal.frequency_Hz      = {0.2, 1.5};
-        options.n_starts       = 0;
+        goal.weights                          = {{StrokeTerm::mean_speed, 1.}};
+        goal.swimmer                          = request.parameters;
+        goal.n_harmonics                      = 2;
+        goal.family                           = FieldFamily::symmetric;
+        goal.field.magnitude_T                = 7e-3;
+        goal.frequency_Hz                     = {0.2, 1.5};
+        options.n_starts                      = 0;
         options.search.search.max_evaluations = 40;
         options.search.stroke.n_samples       = 16;
         options.gradient_free_budget          = 0.;
@@ -30,8 +30,8 @@ namespace swimtwin
 
       PlanResult plan() const { return plan_field(model, goal, request.drive, options); }
 
-      const ReducedModel model   = example_model({.n_modes = 2, .depends_on_angle = false, .magnetic_tail = false});
-      const RunRequest   request = example_request(model);
+      const ReducedModel model   = small_model();
+      const RunRequest   request = small_request(model);
       SwimmingGoal       goal;
       FieldPlanOptions   options;
     };
@@ -57,12 +57,12 @@ namespace swimtwin
 
   TEST_F(Plans, RepeatToTheLastDigit)
   {
-    options.n_starts = 2;
+    options.n_starts                      = 2;
     options.search.search.max_evaluations = 10;
-    options.search.n_threads = 1;
-    const PlanResult one     = plan();
-    options.search.n_threads = 3;
-    const PlanResult three   = plan();
+    options.search.n_threads              = 1;
+    const PlanResult one                  = plan();
+    options.search.n_threads              = 3;
+    const PlanResult three                = plan();
     EXPECT_EQ(one.find(optimal_field_name)->bx_T, three.find(optimal_field_name)->bx_T);
     EXPECT_EQ(one.find(optimal_field_name)->mean_speed_m_s, three.find(optimal_field_name)->mean_speed_m_s);
   }
@@ -116,10 +116,10 @@ namespace swimtwin
     const PlannedField &a = *straight.find(tuned_field_name), &b = *turned.find(tuned_field_name);
     EXPECT_NEAR(b.bx_T[0], std::cos(0.7) * a.bx_T[0], 1e-12);
     EXPECT_NEAR(b.by_T[0], std::sin(0.7) * a.bx_T[0], 1e-12);
-    RunRequest run                 = request;
-    run.drive                      = drive_of(b);
-    run.initial_state              = start_of(b);
-    run.n_periods                  = 1;
+    RunRequest run    = request;
+    run.drive         = drive_of(b);
+    run.initial_state = start_of(b);
+    run.n_periods     = 1;
     const ReducedSwimmer swimmer(model);
     const SwimmerRun     swum = SwimmerIntegrator(swimmer, {.relative_tolerance = 1e-9}).run(run);
     EXPECT_NEAR(displacement_per_period(swum, 0.7).front(), a.displacement_m, 1e-4 * a.displacement_m);
@@ -141,10 +141,10 @@ namespace swimtwin
       EXPECT_LT(member.largest_multiplier, 0.8 * (1. + 1e-3));
     }
     EXPECT_GE(worst_robust, worst_tuned * (1. - 1e-4));
-    const FieldTask         task{model, swimmer, goal, {{StrokeTerm::mean_speed, 1e-5}}};
-    const FieldVariables    variables(1, FieldFamily::sinusoid);
-    const FieldStart        start{drive_of(*result.find(tuned_field_name)), start_of(*result.find(tuned_field_name))};
-    FieldSearchOptions      few = options.search;
+    const FieldTask      task{model, swimmer, goal, {{StrokeTerm::mean_speed, 1e-5}}};
+    const FieldVariables variables(1, FieldFamily::sinusoid);
+    const FieldStart     start{drive_of(*result.find(tuned_field_name)), start_of(*result.find(tuned_field_name))};
+    FieldSearchOptions   few    = options.search;
     few.search.max_evaluations  = 20;
     const FieldFound worst_case = search_robust_field(task, members, 0, variables, start, few);
     const FieldFound best_two   = search_robust_field(task, members, 1, variables, start, few);
@@ -158,11 +158,11 @@ namespace swimtwin
     const FieldVariables variables(1, FieldFamily::sinusoid);
     const PlannedField   field =
         measured_field("", task, variables.drive(variables.variables(request.drive)), state_at_rest(swimmer));
-    RunRequest run  = request;
-    run.n_periods   = 2;
-    const double angle   = settled_start_angle_rad(swimmer, run, start_of(field), 2);
+    RunRequest run     = request;
+    run.n_periods      = 2;
+    const double angle = settled_start_angle_rad(swimmer, run, start_of(field), 2);
     const auto   to_go = [&](const double from) {
-      run.initial_state = state_at_rest(swimmer, from);
+      run.initial_state  = state_at_rest(swimmer, from);
       const SwimmerRun r = SwimmerIntegrator(swimmer, {}).run(run);
       return std::abs(r.at_period_end.back()[2] - field.start[0]);
     };

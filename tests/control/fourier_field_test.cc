@@ -29,7 +29,7 @@ namespace swimtwin
   TEST(FourierField, SlopesAndRatesAreDerivatives)
   {
     const FourierField    field(2);
-    const Eigen::VectorXd c = any_coefficients(field);
+    const Eigen::VectorXd c     = any_coefficients(field);
     constexpr double      phase = 0.23, h = 1e-6;
     const Eigen::Vector2d rate =
         (field.value_T(phase + h, c) - field.value_T(phase - h, c)) / (2. * h); // of second order
@@ -87,7 +87,7 @@ namespace swimtwin
     const FieldVariables  variables(5, FieldFamily::symmetric);
     RandomNumbers         random(5);
     const Drive           drive = variables.drive(random.vector(variables.size()));
-    const Eigen::Vector2d now = drive.field->value_T(0.2, drive.parameters),
+    const Eigen::Vector2d now   = drive.field->value_T(0.2, drive.parameters),
                           later = drive.field->value_T(0.7, drive.parameters);
     EXPECT_NEAR(now.x(), later.x(), 1e-14);
     EXPECT_NEAR(now.y(), -later.y(), 1e-14);

@@ -33,7 +33,7 @@ namespace swimtwin
     const ReducedSwimmer swimmer(model);
     const FieldVariables variables(2, FieldFamily::general);
     const SwimmingGoal   goal = every_limit(model);
-    Eigen::VectorXd      x = variables.variables(sinusoid_coefficients(*variables.field(), 2e-3, 5e-3), 0.8);
+    Eigen::VectorXd      x    = variables.variables(sinusoid_coefficients(*variables.field(), 2e-3, 5e-3), 0.8);
     for (Eigen::Index i = 0; i + 1 < x.size(); ++i)
       x[i] += 5e-4 * std::cos(3. * static_cast<double>(i)); // no symmetry
     for (const GradientCheck &check : check_gradients(model, swimmer, goal, variables, x))
@@ -45,8 +45,8 @@ namespace swimtwin
 
   INSTANTIATE_TEST_SUITE_P(Examples, Gradients,
                            ::testing::Values(ExampleOptions{.n_modes = 2},
-                                             ExampleOptions{.n_modes = 2, .depends_on_angle = false,
-                                                            .magnetic_tail = false},
+                                             ExampleOptions{
+                                                 .n_modes = 2, .depends_on_angle = false, .magnetic_tail = false},
                                              ExampleOptions{.n_modes = 3, .keeps_area = true}),
                            [](const auto &instance) { return std::to_string(instance.index); });
 } // namespace swimtwin

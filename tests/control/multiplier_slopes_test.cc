@@ -26,18 +26,17 @@ namespace swimtwin
     std::complex<double> nearest(const Eigen::Vector2d &p, const std::complex<double> to)
     {
       const auto values = eigenvalues(p);
-      return *std::min_element(values.begin(), values.end(), [&](const auto a, const auto b) {
-        return std::abs(a - to) < std::abs(b - to);
-      });
+      return *std::min_element(values.begin(), values.end(),
+                               [&](const auto a, const auto b) { return std::abs(a - to) < std::abs(b - to); });
     }
   } // namespace
 
   TEST(MultiplierSlopes, AreThoseOfDifferencesForRealOnesAndPairs)
   {
     const Eigen::Vector2d p(0.1, 0.05);
-    constexpr double      h          = 1e-6;
-    int                   n_complex  = 0;
-    const auto            change     = [&](const Eigen::VectorXd &r) {
+    constexpr double      h         = 1e-6;
+    int                   n_complex = 0;
+    const auto            change    = [&](const Eigen::VectorXd &r) {
       Eigen::MatrixXd columns(3, 2);
       for (int j = 0; j < 2; ++j)
         columns.col(j) = (map(p + h * Eigen::Vector2d::Unit(j)) - map(p - h * Eigen::Vector2d::Unit(j))) * r / (2. * h);
@@ -49,8 +48,9 @@ namespace swimtwin
       const Eigen::RowVectorXd slopes = multiplier_slopes(map(p), lambda, change);
       for (int j = 0; j < 2; ++j)
       {
-        const Eigen::Vector2d step       = h * Eigen::Vector2d::Unit(j);
-        const double          difference = (std::abs(nearest(p + step, lambda)) - std::abs(nearest(p - step, lambda))) / (2. * h);
+        const Eigen::Vector2d step = h * Eigen::Vector2d::Unit(j);
+        const double          difference =
+            (std::abs(nearest(p + step, lambda)) - std::abs(nearest(p - step, lambda))) / (2. * h);
         EXPECT_NEAR(slopes[j], difference, 1e-8) << lambda;
       }
     }

@@ -1,6 +1,6 @@
 #include <control/stroke_terms.h>
 #include <optimization/guarded_search.h>
-#include <tests/rom/example_model.h>
+#include <tests/control/small_model.h>
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <numbers>
 
 // In a small by around a constant bx the motion is linear, y = Re(Y exp(2 pi i k tau)), and the drift per period of the
-// field is a quadratic form of its harmonics: by symmetry in time it is sum_k d_k |c_k|^2. The form is computed here from
-// the linear response at rest and the second derivatives of the head's speed, without any integration in time.
+// field is a quadratic form of its harmonics: by symmetry in time it is sum_k d_k |c_k|^2. The form is computed here
+// from the linear response at rest and the second derivatives of the head's speed, without any integration in time.
 
 namespace swimtwin
 {
@@ -41,8 +41,8 @@ namespace swimtwin
         };
         for (int j = 0; j <= n; ++j)
         {
-          const double h     = j == n ? 1e-6 : j > 2 ? 1e-7 : 1e-4;
-          SwimmerState plus  = SwimmerState::Zero(n), minus = plus;
+          const double h    = j == n ? 1e-6 : j > 2 ? 1e-7 : 1e-4;
+          SwimmerState plus = SwimmerState::Zero(n), minus = plus;
           if (j < n)
           {
             plus[j] += h;
@@ -56,13 +56,13 @@ namespace swimtwin
       /// Displacement head first, in one period of the base frequency, per square of the k-th harmonic of by.
       double form(const int k) const
       {
-        const RateDerivatives rest = derivatives(SwimmerState::Zero(swimmer.n_states()), 0.);
-        const int             n    = swimmer.n_states(), m = n - 2; // angle and shape
+        const RateDerivatives      rest = derivatives(SwimmerState::Zero(swimmer.n_states()), 0.);
+        const int                  n = swimmer.n_states(), m = n - 2; // angle and shape
         const std::complex<double> i_omega(0., 2. * std::numbers::pi * k * request.drive.frequency_Hz);
-        const Eigen::MatrixXcd     A = i_omega * Eigen::MatrixXcd::Identity(m, m) - rest.by_state.bottomRightCorner(m, m);
-        Eigen::VectorXcd           y = Eigen::VectorXcd::Zero(n + 1);
-        y.segment(2, m)              = A.colPivHouseholderQr().solve(rest.by_field.col(1).tail(m).cast<std::complex<double>>());
-        y[n]                         = 1.;
+        const Eigen::MatrixXcd A = i_omega * Eigen::MatrixXcd::Identity(m, m) - rest.by_state.bottomRightCorner(m, m);
+        Eigen::VectorXcd       y = Eigen::VectorXcd::Zero(n + 1);
+        y.segment(2, m)   = A.colPivHouseholderQr().solve(rest.by_field.col(1).tail(m).cast<std::complex<double>>());
+        y[n]              = 1.;
         const double mean = 0.25 * (y.adjoint() * second_derivatives() * y).value().real();
         return -mean / request.drive.frequency_Hz;
       }
@@ -90,10 +90,10 @@ namespace swimtwin
 
       SmallStrokes() { request.drive = {field, sinusoid_coefficients(*field, bx_T, 0.), 0.3}; }
 
-      const ReducedModel model = example_model({.n_modes = 2, .depends_on_angle = false, .magnetic_tail = false});
+      const ReducedModel                  model   = small_model();
       const ReducedSwimmer                swimmer = ReducedSwimmer(model);
       std::shared_ptr<const FourierField> field   = std::make_shared<FourierField>(3);
-      RunRequest                          request = example_request(model);
+      RunRequest                          request = small_request(model);
     };
   } // namespace
 
@@ -102,7 +102,7 @@ namespace swimtwin
     StrokeFinder finder(swimmer, options(*field));
     const auto  &series = field->series();
     const auto   error  = [&](const double size) {
-      Eigen::VectorXd c = sinusoid_coefficients(*field, bx_T, size);
+      Eigen::VectorXd c      = sinusoid_coefficients(*field, bx_T, size);
       c[series.cosine(1, 2)] = 0.6 * size;
       c[series.sine(1, 3)]   = -0.8 * size;
       const double expected  = size * size * (form(1) + 0.36 * form(2) + 0.64 * form(3));
@@ -115,7 +115,7 @@ namespace swimtwin
 
   TEST_F(SmallStrokes, AreBestInTheFormsTopEigenvector)
   {
-    constexpr double size = 1e-4;
+    constexpr double size   = 1e-4;
     const auto      &series = field->series();
     int              best   = 1;
     for (const int k : {2, 3})

@@ -12,8 +12,8 @@ namespace swimtwin
     protected:
       Strokes()
       {
-        request.drive.field      = field;
-        request.drive.parameters = sinusoid_coefficients(*field, 5e-3, 5e-3);
+        request.drive.field                                    = field;
+        request.drive.parameters                               = sinusoid_coefficients(*field, 5e-3, 5e-3);
         request.drive.parameters[field->series().cosine(0, 2)] = 1e-3;
         request.drive.parameters[field->series().sine(1, 2)]   = 0.5e-3;
       }
