@@ -1,10 +1,14 @@
 // Verb demo: what the tool does, in about a minute.
+#include <app/field_replay.h>
 #include <app/frequency_picture.h>
 #include <app/model_card.h>
+#include <app/number_text.h>
+#include <app/plan_pictures.h>
 #include <app/plots.h>
 #include <app/simulate.h>
 #include <app/sweep_files.h>
 
+#include <control/goal_file.h>
 #include <datasets/csv_table.h>
 
 #include <fmt/format.h>
@@ -68,13 +72,47 @@ namespace swimtwin
       for (const auto &picture : pictures)
         fmt::print("  picture {}\n", picture.string());
     }
+    /// The fastest field of three harmonics, and whether the full-order model agrees. On all ranks.
+    void optimize_and_replay(const CommonOptions &common)
+    {
+      const ReducedModel model          = read_reduced_model(find_model("reference-2d"));
+      GoalFile           file           = read_goal(shipped_file("goals/fastest-straight.toml"), model);
+      file.goal.n_harmonics             = 3;
+      file.options.n_starts             = 0;
+      file.options.gradient_free_budget = 0.;
+      const Scene scene                 = parse_scene(model.scene_text, model.scene_name + ".toml");
+      if (is_speaker() && !common.quiet)
+        fmt::print(
+            "\nThe field that makes it swim fastest, as strong as the study's at most and with the heading held:\n");
+      PlanResult plan        = plan_field(model, file.goal, make_drive(scene.field), file.options);
+      plan.young_modulus_Pa  = file.goal.swimmer.young_modulus_Pa;
+      plan.viscosity_Pa_s    = file.goal.swimmer.viscosity_Pa_s;
+      plan.magnetization_A_m = file.goal.swimmer.magnetization_A_m;
+      plan.replay            = replay_on_full_order_model(model, plan, common, {.periods = 2, .steps_per_period = 100});
+      if (!is_speaker())
+        return;
+      std::string warning;
+      const auto  pictures =
+          draw_pictures(common.output / "pictures", plan_pictures({"demo", plan, {}}), common.command_line, warning);
+      if (!warning.empty())
+        fmt::print(stderr, "swimtwin: {}\n", warning);
+      if (common.quiet)
+        return;
+      for (const PlannedField &field : plan.fields)
+        fmt::print("  {:<18} {} um/s at {} Hz\n", field.name, plain_number(1e6 * field.mean_speed_m_s, 4),
+                   plain_number(field.frequency_Hz, 3));
+      fmt::print("  {}\n", plan.confirmation());
+      for (const auto &picture : pictures)
+        fmt::print("  picture {}\n", picture.string());
+    }
   } // namespace
 
   Work add_demo(CLI::App &tool, const std::string &command_line)
   {
     auto  common = std::make_shared<CommonOptions>();
     auto *verb   = tool.add_subcommand(
-          "demo", "Watch the reference study's swimmer swim for three periods, then at 60 frequencies");
+          "demo",
+          "Watch the reference study's swimmer swim for three periods, then at 60 frequencies, then in its best field");
     add_common_options(*verb, *common, OutputFolder::required);
     common->scene        = "reference-2d-casefile";
     common->command_line = command_line;
@@ -91,6 +129,7 @@ namespace swimtwin
       simulate_and_report(scene, *common, options);
       if (is_speaker())
         sweep_and_draw(scene, *common);
+      optimize_and_replay(*common);
     };
   }
 } // namespace swimtwin

@@ -5,6 +5,7 @@
 #include <control/measured_field.h>
 #include <control/settled_start.h>
 #include <datasets/error.h>
+#include <datasets/field_program_writer.h>
 #include <datasets/output_folder.h>
 #include <fom/simulation.h>
 

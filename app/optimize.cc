@@ -16,6 +16,7 @@
 #include <control/gradient_check.h>
 #include <control/measured_field.h>
 #include <datasets/error.h>
+#include <datasets/field_program_writer.h>
 #include <datasets/output_folder.h>
 
 #include <fmt/format.h>
@@ -83,7 +84,7 @@ namespace swimtwin
       print_checks(check_gradients(model, swimmer, file.goal, variables, x));
     }
 
-    /// One period more than is needed to see the drift.
+    /// Periods enough to see the drift.
     void write_motions(const ReducedModel &model, const PlanResult &plan, const std::filesystem::path &folder)
     {
       constexpr int        periods = 6, samples = 60;
@@ -149,7 +150,7 @@ namespace swimtwin
       file.options.search.n_threads = command.n_threads;
       if (!command.trade_off.empty())
         file.options.trade_off = parse_values("--trade-off", command.trade_off, ValueRule::positive);
-      if (!command.common.quiet)
+      if (is_speaker() && !command.common.quiet)
         file.options.on_progress = [](const std::string &what) { fmt::print("  searching: {}\n", what); };
       PlanResult plan = plan_field(model, file.goal, reference_drive(scene), file.options, members_of(file.goal));
       plan.warnings.insert(plan.warnings.begin(), warnings.begin(), warnings.end());

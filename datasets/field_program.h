@@ -3,7 +3,6 @@
 
 #include <array>
 #include <filesystem>
-#include <string>
 #include <vector>
 
 namespace swimtwin
@@ -50,8 +49,4 @@ namespace swimtwin
     std::vector<double>                time_s_;
     std::vector<std::array<double, 3>> b_T_;
   };
-
-  /// Write the samples as read_csv reads them, with 17 significant digits; `comment` becomes lines that start with #,
-  /// and so does the period. Throws InputError for a field without samples.
-  void write_field_program(const std::filesystem::path &file, const FieldProgram &program, const std::string &comment);
 } // namespace swimtwin

@@ -1,5 +1,5 @@
 #include <datasets/error.h>
-#include <datasets/field_program.h>
+#include <datasets/field_program_writer.h>
 #include <datasets/output_folder.h>
 
 #include <fmt/format.h>

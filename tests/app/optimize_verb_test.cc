@@ -2,7 +2,7 @@
 #include <app/tool.h>
 #include <datasets/reduced_model.h>
 #include <tests/datasets/temporary_folder.h>
-#include <tests/rom/example_model.h>
+#include <tests/control/small_model.h>
 
 namespace swimtwin
 {
@@ -48,11 +48,7 @@ max_evaluations = 12
     class OptimizeVerb : public ::testing::Test
     {
     protected:
-      OptimizeVerb()
-      {
-        write_reduced_model(model, example_model({.n_modes = 2, .depends_on_angle = false, .magnetic_tail = false}),
-                            Provenance{});
-      }
+      OptimizeVerb() { write_reduced_model(model, small_model(), Provenance{}); }
 
       Outcome optimize(const std::string &goal, const std::vector<std::string> &options = {}) const
       {

@@ -1,5 +1,6 @@
 #include <control/field_import.h>
 #include <control/measured_field.h>
+#include <datasets/field_program_writer.h>
 #include <tests/datasets/temporary_folder.h>
 
 namespace swimtwin

@@ -3,7 +3,7 @@
 #include <control/robust_search.h>
 #include <control/settled_start.h>
 #include <datasets/error.h>
-#include <tests/rom/example_model.h>
+#include <tests/control/small_model.h>
 
 #include <gtest/gtest.h>
 
@@ -30,8 +30,8 @@ namespace swimtwin
 
       PlanResult plan() const { return plan_field(model, goal, request.drive, options); }
 
-      const ReducedModel model   = example_model({.n_modes = 2, .depends_on_angle = false, .magnetic_tail = false});
-      const RunRequest   request = example_request(model);
+      const ReducedModel model   = small_model();
+      const RunRequest   request = small_request(model);
       SwimmingGoal       goal;
       FieldPlanOptions   options;
     };

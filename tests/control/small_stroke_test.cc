@@ -1,6 +1,6 @@
 #include <control/stroke_terms.h>
 #include <optimization/guarded_search.h>
-#include <tests/rom/example_model.h>
+#include <tests/control/small_model.h>
 
 #include <gtest/gtest.h>
 
@@ -90,10 +90,10 @@ namespace swimtwin
 
       SmallStrokes() { request.drive = {field, sinusoid_coefficients(*field, bx_T, 0.), 0.3}; }
 
-      const ReducedModel   model   = example_model({.n_modes = 2, .depends_on_angle = false, .magnetic_tail = false});
-      const ReducedSwimmer swimmer = ReducedSwimmer(model);
+      const ReducedModel                  model   = small_model();
+      const ReducedSwimmer                swimmer = ReducedSwimmer(model);
       std::shared_ptr<const FourierField> field   = std::make_shared<FourierField>(3);
-      RunRequest                          request = example_request(model);
+      RunRequest                          request = small_request(model);
     };
   } // namespace
 

@@ -1,0 +1,21 @@
+// The shipped model of the open disc with two coordinates: a real swimmer, fast enough for searches.
+#pragma once
+
+#include <datasets/reduced_model.h>
+#include <rom/sweep.h>
+
+#include <string>
+
+namespace swimtwin
+{
+  inline ReducedModel small_model()
+  {
+    return truncated(read_reduced_model(std::string(SWIMTWIN_SOURCE_DIR) + "/datasets/models/open-2d.h5"), 2);
+  }
+
+  /// The scene's own run.
+  inline RunRequest small_request(const ReducedModel &model)
+  {
+    return sweep_options(parse_scene(model.scene_text, model.scene_name), model).base;
+  }
+} // namespace swimtwin
