@@ -108,8 +108,6 @@ namespace swimtwin
     }
   } // namespace
 
-  void require_full_order_model() {}
-
   PlanReplay replay_on_full_order_model(const ReducedModel &model, const PlanResult &plan, const CommonOptions &common,
                                         const ReplayOptions &options)
   {

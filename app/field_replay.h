@@ -14,9 +14,6 @@ namespace swimtwin
     int steps_per_period = 200;
   };
 
-  /// Throws InputError, before any work, in a build without the full-order model.
-  void require_full_order_model();
-
   /// Runs the tuned sinusoid and the optimal field of a plan from rest, straight, at the angle from which the motion
   /// settles fastest; results go to folders of the output. Collective.
   PlanReplay replay_on_full_order_model(const ReducedModel &model, const PlanResult &plan, const CommonOptions &common,

@@ -4,11 +4,6 @@
 
 namespace swimtwin
 {
-  bool flow_can_be_computed()
-  {
-    return true;
-  }
-
   void write_flow_of_run(const Scene &scene, const ReducedModel &model, const double frequency_Hz,
                          const std::vector<ReducedSnapshot> &snapshots, const std::filesystem::path &folder,
                          const std::function<void(int)> &on_progress)

@@ -11,8 +11,6 @@
 
 namespace swimtwin
 {
-  bool flow_can_be_computed();
-
   /// Write it for ParaView, one instant per snapshot. Throws InputError in a build without finite elements.
   void write_flow_of_run(const Scene &scene, const ReducedModel &model, double frequency_Hz,
                          const std::vector<ReducedSnapshot> &snapshots, const std::filesystem::path &folder,

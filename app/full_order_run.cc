@@ -4,11 +4,6 @@
 
 namespace swimtwin
 {
-  bool has_full_order_model()
-  {
-    return true;
-  }
-
   double full_order_displacement_m(const Scene &scene, const std::filesystem::path &folder)
   {
     std::filesystem::create_directories(folder);

@@ -7,8 +7,6 @@
 
 namespace swimtwin
 {
-  bool has_full_order_model();
-
   /// Displacement (m) of the head in the scene's last period, positive head first. The run's files go to `folder`.
   double full_order_displacement_m(const Scene &scene, const std::filesystem::path &folder);
 } // namespace swimtwin

@@ -1,5 +1,6 @@
 // Verb optimize: the field that swims fastest within what coils can play, and proof of it.
 #include <app/field_replay.h>
+#include <app/full_order_build.h>
 #include <app/model_card.h>
 #include <app/number_text.h>
 #include <app/plan_files.h>
@@ -197,7 +198,7 @@ namespace swimtwin
     {
       const CommonOptions &common = command.common;
       if (command.with_replay)
-        require_full_order_model();
+        require_full_order_model("--replay");
       const ReducedModel model = read_reduced_model(find_model(command.model));
       const Scene        scene = parse_scene(model.scene_text, model.scene_name + ".toml");
       GoalFile           file  = read_goal(command.goal, model);

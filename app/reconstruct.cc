@@ -1,5 +1,6 @@
 // Verb reconstruct: one run of a reduced swimmer with the whole tail and, where this build has it, the flow.
 #include <app/flow_output.h>
+#include <app/full_order_build.h>
 #include <app/plots.h>
 #include <app/progress_bar.h>
 #include <app/verb.h>
@@ -99,11 +100,11 @@ namespace swimtwin
     void reconstruct_and_report(const ReconstructCommand &command)
     {
       const CommonOptions &common = command.common;
-      const ReducedModel   model  = read_reduced_model(find_model(command.model));
-      const Scene          scene  = scene_of_run(command, model);
-      if (command.with_flow && !flow_can_be_computed())
-        write_flow_of_run(scene, model, 0., {}, {}, {}); // says why not
-      RunRequest request         = sweep_options(scene, model).base;
+      if (command.with_flow)
+        require_full_order_model("--flow");
+      const ReducedModel model   = read_reduced_model(find_model(command.model));
+      const Scene        scene   = scene_of_run(command, model);
+      RunRequest         request = sweep_options(scene, model).base;
       request.n_periods          = n_periods(scene);
       request.samples_per_period = command.n_instants;
       prepare_output_folder(common.output, {"trajectory.csv", "summary.json", "snapshots.h5", "fields"}, common.force);

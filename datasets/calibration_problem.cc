@@ -57,9 +57,9 @@ namespace swimtwin
 
       void read(CalibrationProblem &problem)
       {
-        TomlTable      table(document_, path_);
+        TomlTable        table(document_, path_);
         const NumberRule number{entry_.unit, entry_.positive ? positive : any_number};
-        FreeParameter  free;
+        FreeParameter    free;
         free.quantity    = entry_.quantity;
         free.logarithmic = entry_.positive;
         std::array<double, 2> bounds{};
