@@ -186,7 +186,7 @@ namespace swimtwin
       pictures.push_back(fit_picture(result));
     if (!result.profiles.empty())
       pictures.push_back(profiles_picture(result));
-    if (result.bootstrap.rows() > 1 && result.bootstrap.cols() > 1)
+    if (has_pairs(result))
       pictures.push_back(pairs_picture(result));
     if (result.starts.size() > 1)
       pictures.push_back(waterfall_picture(result));

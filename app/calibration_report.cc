@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace swimtwin
@@ -38,13 +39,21 @@ namespace swimtwin
         page.add_warning(warning);
     }
 
+    /// The reasons why bounds are missing, each once.
+    std::vector<std::string> notes_of(const CalibratedParameter &parameter)
+    {
+      std::vector<std::string> notes;
+      for (const ClaimedInterval *interval : {&parameter.profile, &parameter.bootstrap, &parameter.curvature})
+        if (!interval->note.empty() && std::find(notes.begin(), notes.end(), interval->note) == notes.end())
+          notes.push_back(interval->note);
+      return notes;
+    }
+
     void add_notes_on_intervals(HtmlPage &page, const CalibrationResult &result)
     {
       for (const CalibratedParameter &parameter : result.parameters)
-        for (const ClaimedInterval *interval : {&parameter.profile, &parameter.bootstrap, &parameter.curvature})
-          if (!interval->note.empty())
-            page.add_paragraph(fmt::format("{}, {}: {}", shown_quantity(parameter.name, parameter.value).symbol,
-                                           interval->method.empty() ? "interval" : interval->method, interval->note));
+        for (const std::string &note : notes_of(parameter))
+          page.add_paragraph(fmt::format("{}: {}", shown_quantity(parameter.name, parameter.value).symbol, note));
     }
 
     void add_parameters(HtmlPage &page, const CalibrationResult &result)

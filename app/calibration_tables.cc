@@ -21,8 +21,7 @@ namespace swimtwin
         return "undetermined";
       if (parameter.at_bound)
         return "at its bound";
-      const std::array<std::string, 3> words{"fitted", "given", "follows"};
-      return words[static_cast<std::size_t>(parameter.role)];
+      return parameter.role == ParameterRole::free ? "fitted" : "follows";
     }
 
     std::string prior_of(const CalibratedParameter &parameter, const ShownQuantity &shown)
@@ -92,7 +91,8 @@ namespace swimtwin
                      level + " by curvature", "searched", "prior"},
                     {}};
     for (const CalibratedParameter &parameter : result.parameters)
-      table.rows.push_back(parameter_row(parameter));
+      if (parameter.role != ParameterRole::fixed)
+        table.rows.push_back(parameter_row(parameter));
     return table;
   }
 
@@ -114,7 +114,8 @@ namespace swimtwin
     std::vector<std::string> names = result.free_names();
     if (static_cast<Eigen::Index>(names.size()) > result.correlation.rows())
       names.erase(std::remove(names.begin(), names.end(), "noise_scale"), names.end());
-    if (names.size() < 2 || static_cast<Eigen::Index>(names.size()) != result.correlation.rows())
+    const bool matches = static_cast<Eigen::Index>(names.size()) == result.correlation.rows();
+    if (names.size() < 2 || !matches || result.correlation.array().isNaN().all())
       return {};
     for (std::size_t i = 0; i < names.size(); ++i)
     {

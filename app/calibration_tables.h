@@ -10,7 +10,7 @@ namespace swimtwin
   HtmlTable parameter_table(const CalibrationResult &result);
   /// The whole swimmer at the estimate.
   HtmlTable swimmer_table(const CalibratedSwimmer &swimmer);
-  /// Correlations of the free parameters' scaled variables; empty when there are none.
+  /// Correlations of the free parameters' scaled variables; empty when none is known.
   HtmlTable correlation_table(const CalibrationResult &result);
   HtmlTable observation_table(const CalibrationResult &result);
   /// Full-order runs at the optimum beside the reduced model.

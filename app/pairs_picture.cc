@@ -19,6 +19,7 @@ namespace swimtwin
       ShownQuantity       quantity;
       Eigen::VectorXd     samples;
       Span                span;
+      Eigen::Index        column      = 0;
       double              estimate    = 0.;
       double              linear_unit = 1.; ///< of the scaled variable, for a parameter that is not positive
 
@@ -32,7 +33,7 @@ namespace swimtwin
     ShownParameter shown_parameter(const CalibrationResult &result, const CalibratedParameter &parameter,
                                    const Eigen::Index column)
     {
-      ShownParameter shown{parameter, shown_quantity(parameter.name, parameter.value), {}, {}};
+      ShownParameter shown{parameter, shown_quantity(parameter.name, parameter.value), {}, {}, column};
       shown.samples  = shown.quantity.factor * result.bootstrap.col(column);
       shown.estimate = shown.quantity.factor * parameter.value;
       if (parameter.standard_error && column < result.covariance.rows())
@@ -45,15 +46,20 @@ namespace swimtwin
       return shown;
     }
 
-    /// The parameters that the columns of the bootstrap stand for: the noise level is free, but not one of them.
+    /// The parameters that the columns of the bootstrap stand for (the noise level is free, but not one of them) and
+    /// that the data decide: estimates of the others scatter only across what the data cannot see.
     std::vector<ShownParameter> sampled_parameters(const CalibrationResult &result)
     {
       std::vector<ShownParameter> shown;
+      Eigen::Index                column = 0;
       for (const CalibratedParameter &parameter : result.parameters)
-        if (const auto column = static_cast<Eigen::Index>(shown.size()); parameter.role == ParameterRole::free &&
-                                                                         parameter.name != "noise_scale" &&
-                                                                         column < result.bootstrap.cols())
-          shown.push_back(shown_parameter(result, parameter, column));
+        if (parameter.role == ParameterRole::free && parameter.name != "noise_scale" &&
+            column < result.bootstrap.cols())
+        {
+          if (!parameter.undetermined)
+            shown.push_back(shown_parameter(result, parameter, column));
+          ++column;
+        }
       return shown;
     }
 
@@ -91,11 +97,11 @@ namespace swimtwin
     }
 
     /// In scaled variables the region of level p is an ellipse with squared radius -2 ln(1 - p).
-    void add_ellipse(GnuplotPicture &picture, const CalibrationResult &result,
-                     const std::vector<ShownParameter> &parameters, const std::size_t a, const std::size_t b)
+    void add_ellipse(GnuplotPicture &picture, const CalibrationResult &result, const ShownParameter &a,
+                     const ShownParameter &b)
     {
       picture.table.begin_block("ellipse of the curvature");
-      const std::array<Eigen::Index, 2> pair{static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b)};
+      const std::array<Eigen::Index, 2> pair{a.column, b.column};
       Eigen::Matrix2d                   covariance = Eigen::Matrix2d::Constant(std::nan(""));
       if (result.covariance.rows() > pair[1])
         covariance = result.covariance(pair, pair);
@@ -108,10 +114,15 @@ namespace swimtwin
       {
         const double          angle = 2. * std::numbers::pi * i / n_points;
         const Eigen::Vector2d step  = lower * Eigen::Vector2d(std::cos(angle), std::sin(angle));
-        picture.table.add_row({parameters[a].moved(step[0]), parameters[b].moved(step[1])});
+        picture.table.add_row({a.moved(step[0]), b.moved(step[1])});
       }
     }
   } // namespace
+
+  bool has_pairs(const CalibrationResult &result)
+  {
+    return result.bootstrap.rows() > 1 && sampled_parameters(result).size() > 1;
+  }
 
   GnuplotPicture pairs_picture(const CalibrationResult &result)
   {
@@ -136,7 +147,7 @@ namespace swimtwin
       add_histogram(picture, parameter.samples, parameter.span);
     for (std::size_t b = 1; b < n; ++b)
       for (std::size_t a = 0; a < b; ++a)
-        add_ellipse(picture, result, parameters, a, b);
+        add_ellipse(picture, result, parameters[a], parameters[b]);
     return picture;
   }
 } // namespace swimtwin

@@ -6,6 +6,9 @@
 
 namespace swimtwin
 {
-  /// Bootstrap estimates of each two free parameters, with the ellipse of the curvature; needs two samples.
+  /// Whether there are bootstrap estimates of two parameters that the data decide.
+  bool has_pairs(const CalibrationResult &result);
+
+  /// Bootstrap estimates of each two such parameters, with the ellipse of the curvature.
   GnuplotPicture pairs_picture(const CalibrationResult &result);
 } // namespace swimtwin

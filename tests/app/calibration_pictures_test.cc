@@ -96,7 +96,7 @@ namespace swimtwin
       std::fill(profile.misfit_increase.begin(), profile.misfit_increase.end(), 0.);
     const TemporaryFolder folder;
     std::string           warning;
-    EXPECT_EQ(draw_pictures(folder.path, calibration_pictures(result), "a test", warning).size(), 5u);
+    EXPECT_EQ(draw_pictures(folder.path, calibration_pictures(result), "a test", warning).size(), 4u);
     EXPECT_EQ(warning, "");
   }
 
@@ -165,6 +165,22 @@ namespace swimtwin
     for (const auto &row : block(picture, 0))
       inside += distance(1e3 * row[0], 1e3 * row[1]) < -2. * std::log(0.05) ? 1. : 0.;
     EXPECT_NEAR(inside / 400., 0.95, 3. * std::sqrt(0.95 * 0.05 / 400.));
+  }
+
+  TEST(PairsPicture, LeavesOutWhatTheDataDoNotDecide)
+  {
+    CalibrationResult result          = synthetic_calibration(3);
+    result.parameters[0].undetermined = true;
+    ASSERT_TRUE(has_pairs(result));
+    const GnuplotPicture picture = pairs_picture(result);
+    EXPECT_EQ(variable(picture, "name_1"), "'displacement scale'");
+    EXPECT_NEAR(block(picture, 0)[7][1], result.bootstrap(7, 2), 1e-9);
+    EXPECT_NEAR(block(picture, 3)[0][1],
+                1.003 * std::exp(std::sqrt(-2. * std::log(0.05)) * result.covariance(1, 2) /
+                                 std::sqrt(result.covariance(1, 1))),
+                1e-8);
+    result.parameters[1].undetermined = true;
+    EXPECT_FALSE(has_pairs(result));
   }
 
   TEST(PairsPicture, NoiseLevelIsNotAColumn)

@@ -52,6 +52,7 @@ namespace swimtwin
     CalibratedParameter &parameter = result.parameters[0];
     parameter.undetermined         = true;
     parameter.profile              = {"profile", std::nullopt, std::nullopt, "The misfit stays below the threshold."};
+    parameter.bootstrap.note       = parameter.profile.note;
     parameter.curvature            = {};
     result.null_directions.push_back({Eigen::Vector3d(0.71, 0.71, 1e-6), 1e-9, false, "E, μ and M scale together."});
     const std::string text  = page_of(result);
@@ -62,10 +63,19 @@ namespace swimtwin
     EXPECT_EQ(cells[4], "not bounded"); // though the bootstrap scatters between the bounds
     EXPECT_EQ(cells[5], "–");
     EXPECT_EQ(text.find("E/μ (10³/s) ="), std::string::npos);
-    expect_in(text, "E/μ, profile: The misfit stays below the threshold.");
+    EXPECT_EQ(text.find("The misfit stays"), text.rfind("The misfit stays")); // once for both methods
+    expect_in(text, "<p>E/μ: The misfit stays below the threshold.</p>");
     const auto null = cells_of(text, "E/μ +0.71, M/μ +0.71");
     ASSERT_EQ(null.size(), 3u);
     EXPECT_EQ(null[2], "E, μ and M scale together.");
+  }
+
+  TEST(CalibrationReport, GivenParametersStandWithTheSwimmerAlone)
+  {
+    CalibrationResult result = synthetic_calibration();
+    result.parameters.push_back(synthetic_parameter("geometry_scale", 1., 0.1));
+    result.parameters.back().role = ParameterRole::fixed;
+    EXPECT_EQ(cells_of(page_of(result), "geometry scale"), std::vector<std::string>{"1"});
   }
 
   TEST(CalibrationReport, SaysWhenEverythingIsDetermined)

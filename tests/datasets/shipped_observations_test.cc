@@ -1,0 +1,86 @@
+#include <datasets/csv_table.h>
+#include <datasets/observation_set.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace swimtwin
+{
+  namespace
+  {
+    const std::filesystem::path folder = std::filesystem::path(SWIMTWIN_SCENES).parent_path() / "observations";
+
+    double in_sigmas(const Observation &point, const double truth_m)
+    {
+      return (point.displacement_m - truth_m) / point.sigma_m;
+    }
+  } // namespace
+
+  TEST(ShippedObservations, AreAllReadAndSayThatTheyAreSynthetic)
+  {
+    int n_sets = 0;
+    for (const auto &entry : std::filesystem::directory_iterator(folder))
+      if (entry.path().extension() == ".toml")
+      {
+        const ObservationSet set = read_observations(entry.path());
+        EXPECT_TRUE(set.synthetic) << set.name;
+        EXPECT_TRUE(set.name.starts_with("synthetic-")) << set.name;
+        EXPECT_DOUBLE_EQ(set.field.bx_T(), 5e-3);
+        ++n_sets;
+      }
+    EXPECT_EQ(n_sets, 4);
+  }
+
+  TEST(ShippedObservations, CurvesScatterAroundTheirTruthAsStated)
+  {
+    for (const char *name : {"synthetic-soft.csv", "synthetic-stiff.csv"})
+    {
+      const ObservationSet set = read_observations(folder / name);
+      EXPECT_TRUE(set.warnings.empty());
+      EXPECT_EQ(set.period, 3);
+      ASSERT_EQ(set.points.size(), 12u);
+      double chi_squared = 0.;
+      for (std::size_t i = 0; i < set.points.size(); ++i)
+      {
+        const double truth_m = std::stod(set.extra_columns.at("displacement_without_noise_m")[i]);
+        const double error_m = std::stod(set.extra_columns.at("numerical_error_m")[i]);
+        EXPECT_NEAR(set.points[i].sigma_m, 0.02 * truth_m, 1e-4 * truth_m);
+        EXPECT_LT(error_m, 3e-3 * truth_m) << name << " " << set.points[i].frequency_Hz;
+        chi_squared += std::pow(in_sigmas(set.points[i], truth_m), 2);
+      }
+      EXPECT_GT(chi_squared, 2.2); // 99.8 % of all draws lie between the two
+      EXPECT_LT(chi_squared, 32.9);
+    }
+  }
+
+  TEST(ShippedObservations, TracksGiveTheDisplacementBack)
+  {
+    const ObservationSet set     = read_observations(folder / "synthetic-tracks.csv");
+    const CsvTable       truth   = CsvTable::read(folder / "synthetic-tracks-truth.csv");
+    const auto           truth_m = truth.column("displacement_m"), n_periods = truth.column("n_periods");
+    ASSERT_EQ(set.points.size(), truth_m.size());
+    EXPECT_FALSE(set.period);
+    EXPECT_TRUE(set.warnings.empty());
+    for (std::size_t i = 0; i < truth_m.size(); ++i)
+    {
+      EXPECT_EQ(set.points[i].n_periods, static_cast<int>(n_periods[i]));
+      // The mean of n = 4 is the way from the first end to the last over n: 2 um at both of them, and the
+      // interpolation.
+      EXPECT_NEAR(set.points[i].displacement_m, truth_m[i], 4. * std::sqrt(2.) * 2e-6 / 4.);
+    }
+  }
+
+  TEST(ShippedObservations, TrackmateTablesSayTheSameAsTheTracksTheyWereMadeFrom)
+  {
+    const ObservationSet tracks    = read_observations(folder / "synthetic-tracks.csv");
+    const ObservationSet trackmate = read_observations(folder / "synthetic-trackmate.toml");
+    ASSERT_EQ(trackmate.points.size(), 2u);
+    for (const std::size_t i : {0u, 1u}) // 1 and 1.8 Hz
+    {
+      EXPECT_EQ(trackmate.points[i].frequency_Hz, tracks.points[i + 2].frequency_Hz);
+      EXPECT_NEAR(trackmate.points[i].displacement_m, tracks.points[i + 2].displacement_m,
+                  5e-8); // rounded to 0.001 pixels
+    }
+  }
+} // namespace swimtwin
