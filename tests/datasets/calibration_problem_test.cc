@@ -104,7 +104,7 @@ highest_frequency_Hz = 2
     expect_refusal("[parameters.viscosity_Pa_s]\nbounds = [2, 1]", "leave nothing between them");
     expect_refusal("[parameters.viscosity_Pa_s]\nbounds = [0, 1]", "only positive values are possible");
     expect_refusal("[parameters.viscosity_Pa_s]\nbounds = [1, 2]\nstart = 3", "fit.toml:3: [parameters.viscosity_Pa_s] "
-                                                                              "start = 3.0 lies outside the bounds");
+                                                                              "start = 3 lies outside the bounds");
     expect_refusal("[parameters.viscosity_Pa_s]\nbounds = [1, 2]\nprior_mean = 1.5", "is half a prior");
     expect_refusal("[parameters.viscosity_Pa_s]\nvalue = 1\nprior_mean = 1.5", "what value = ... fixes");
     expect_refusal("[parameters.displacement_offset_m]\nbounds = [-1, 1]\nscale = \"log\"", "may be negative");
