@@ -1,6 +1,7 @@
 // Coverage of 95 % intervals in 400 synthetic fits, and the time of one fit:
 //   bench_calibration coverage MODEL.h5 [number of fits]
 //   bench_calibration time MODEL.h5
+//   bench_calibration bias MODEL.h5 DATA.csv E/mu M/mu    (full-order data with their noise and without it)
 #include <calibration/calibrate.h>
 #include <datasets/error.h>
 #include <datasets/parallel_for.h>
@@ -9,9 +10,9 @@
 
 #include <chrono>
 #include <cmath>
-#include <cstring>
 #include <ctime>
 #include <random>
+#include <string>
 
 namespace
 {
@@ -166,22 +167,54 @@ namespace
                    p.profile.low.value_or(NAN), p.profile.high.value_or(NAN), p.bootstrap.low.value_or(NAN),
                    p.bootstrap.high.value_or(NAN));
   }
+
+  /// Fits full-order data as they are, and once more without their noise: what is then left is the reduced model's
+  /// bias.
+  void measure_bias(const ReducedModel &reduced, const char *file, const double (&truth)[2])
+  {
+    CalibrationProblem problem = two_ratios();
+    problem.model_error.reset();
+    problem.free[0].upper = 4e5;
+    problem.free[1].upper = 3e5;
+    ObservationSet set    = read_observations(file);
+    for (const bool noise : {true, false})
+    {
+      if (!noise)
+        for (std::size_t i = 0; i < set.points.size(); ++i)
+          set.points[i].displacement_m = std::stod(set.extra_columns.at("displacement_without_noise_m")[i]);
+      const CalibrationResult result = calibrate(reduced, problem, {set}, {.n_threads = 2});
+      fmt::print("{} {} noise, model error {:.2g} %:\n", set.name, noise ? "with" : "without",
+                 100. * result.discrepancy.relative_size);
+      for (int j = 0; j < 2; ++j)
+      {
+        const CalibratedParameter &p    = result.parameters[static_cast<std::size_t>(j)];
+        const double               half = 0.5 * (*p.profile.high - *p.profile.low);
+        fmt::print("  {}: {:.5g} ({:+.2f} %), interval {:.5g} to {:.5g}; off by {:.2f} of half the interval\n", p.name,
+                   p.value, 100. * (p.value / truth[j] - 1.), *p.profile.low, *p.profile.high,
+                   std::abs(p.value - truth[j]) / half);
+      }
+    }
+  }
 } // namespace
 
 int main(int argc, char **argv)
 {
-  if (argc < 3 || (std::strcmp(argv[1], "coverage") != 0 && std::strcmp(argv[1], "time") != 0))
+  const std::string what = argc < 3 ? "" : argv[1];
+  if (what != "coverage" && what != "time" && (what != "bias" || argc != 6))
   {
-    fmt::print(stderr, "usage: bench_calibration coverage|time MODEL.h5 [number of fits]\n");
+    fmt::print(stderr, "usage: bench_calibration coverage|time MODEL.h5 [number of fits]\n"
+                       "       bench_calibration bias MODEL.h5 DATA.csv E/mu M/mu\n");
     return 2;
   }
   try
   {
     const ReducedModel model = read_reduced_model(argv[2]);
-    if (std::strcmp(argv[1], "coverage") == 0)
+    if (what == "coverage")
       measure_coverage(model, argc > 3 ? std::atoi(argv[3]) : 400);
-    else
+    else if (what == "time")
       measure_time(model);
+    else
+      measure_bias(model, argv[3], {std::stod(argv[4]), std::stod(argv[5])});
     return 0;
   }
   catch (const InputError &error)
