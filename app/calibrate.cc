@@ -1,8 +1,13 @@
 // Verb calibrate: fit the swimmer to displacement-frequency data, and say what the data cannot tell.
+#include <app/calibrate.h>
 #include <app/calibration_files.h>
+#include <app/calibration_pictures.h>
+#include <app/calibration_report.h>
+#include <app/sweep_report.h>
 #include <app/fitted_scene.h>
 #include <app/full_order_build.h>
 #include <app/full_order_run.h>
+#include <app/plots.h>
 #include <app/progress_bar.h>
 #include <app/verb.h>
 
@@ -21,14 +26,6 @@ namespace swimtwin
 {
   namespace
   {
-    struct CalibrateCommand
-    {
-      CommonOptions            common;
-      std::string              model, problem;
-      std::vector<std::string> data;
-      int                      n_threads = 0, n_checks = 0;
-    };
-
     double now_s()
     {
       return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -120,33 +117,50 @@ namespace swimtwin
                            wall_time_s};
     }
 
-    void calibrate_and_report(const CalibrateCommand &command)
+    void draw_and_write_page(const CalibrateCommand &command, const CalibrationResult &result)
     {
       const CommonOptions &common = command.common;
-      if (command.n_checks > 0)
-        require_full_order_model("--verify");
-      const ReducedModel                model   = read_reduced_model(find_model(command.model));
-      const CalibrationProblem          problem = read_calibration_problem(command.problem);
-      const std::vector<ObservationSet> sets    = read_data(command, problem);
-      prepare_output_folder(common.output, calibration_file_names(), common.force);
-      const double      start = now_s();
-      CalibrationResult result;
-      {
-        ProgressBar bar(common.quiet);
-        result = calibrate(model, problem, sets, options_of(command, model, bar));
-      }
-      complete(command, model, problem, sets, now_s() - start, result);
-      write_calibration_files(common.output, result, fitted_scene(model, result.swimmer, sets.front()));
-      for (const std::string &warning : result.warnings)
-        fmt::print(stderr, "swimtwin: warning: {}\n", warning);
-      if (!common.quiet)
-        fmt::print("{}  fit in {:.3g} s, uncertainty in {:.3g} s, {} runs of the reduced swimmer\n  results in {}\n",
-                   story(result), result.fit_time_s, result.uncertainty_time_s, result.n_runs, common.output.string());
-      if (result.status == "stalled")
-        throw ComputationError(fmt::format("the fit did not converge: {}; see {}", result.message,
-                                           (common.output / calibration_result_name).string()));
+      Illustrations        illustrations;
+      if (!command.no_picture && gnuplot_is_installed())
+        illustrations.pictures = draw_pictures(common.output / "pictures", calibration_pictures(result),
+                                               common.command_line, illustrations.warning);
+      else if (!command.no_picture)
+        illustrations.warning =
+            "no picture was drawn because gnuplot is not installed; install it with `apt-get install gnuplot-nox`";
+      const HtmlPage page = calibration_page(result, common.output.filename().string(), illustrations);
+      write_text_atomically(common.output / page_name, page.text());
+      if (!illustrations.warning.empty())
+        fmt::print(stderr, "swimtwin: {}\n", illustrations.warning);
     }
   } // namespace
+
+  void calibrate_and_report(const CalibrateCommand &command)
+  {
+    const CommonOptions &common = command.common;
+    if (command.n_checks > 0)
+      require_full_order_model("--verify");
+    const ReducedModel                model   = read_reduced_model(find_model(command.model));
+    const CalibrationProblem          problem = read_calibration_problem(command.problem);
+    const std::vector<ObservationSet> sets    = read_data(command, problem);
+    prepare_output_folder(common.output, calibration_file_names(), common.force);
+    const double      start = now_s();
+    CalibrationResult result;
+    {
+      ProgressBar bar(common.quiet);
+      result = calibrate(model, problem, sets, options_of(command, model, bar));
+    }
+    complete(command, model, problem, sets, now_s() - start, result);
+    write_calibration_files(common.output, result, fitted_scene(model, result.swimmer, sets.front()));
+    draw_and_write_page(command, result);
+    for (const std::string &warning : result.warnings)
+      fmt::print(stderr, "swimtwin: warning: {}\n", warning);
+    if (!common.quiet)
+      fmt::print("{}  fit in {:.3g} s, uncertainty in {:.3g} s, {} runs of the reduced swimmer\n  results in {}\n",
+                 story(result), result.fit_time_s, result.uncertainty_time_s, result.n_runs, common.output.string());
+    if (result.status == "stalled")
+      throw ComputationError(fmt::format("the fit did not converge: {}; see {}", result.message,
+                                         (common.output / calibration_result_name).string()));
+  }
 
   Work add_calibrate(CLI::App &tool, const std::string &command_line)
   {
@@ -163,6 +177,7 @@ namespace swimtwin
     verb->add_option("--verify", command->n_checks, "Runs of the full-order model at the estimate (about 15 s each)")
         ->check(CLI::NonNegativeNumber)
         ->take_last();
+    verb->add_flag("--no-picture", command->no_picture, "Draw nothing");
     add_output_options(*verb, command->common, OutputFolder::required);
     command->common.command_line = command_line;
     return [command] {

@@ -3,6 +3,7 @@
 #include <app/full_order_build.h>
 #include <app/model_card.h>
 #include <app/number_text.h>
+#include <app/optimize.h>
 #include <app/plan_files.h>
 #include <app/plan_pictures.h>
 #include <app/plan_report.h>
@@ -30,15 +31,6 @@ namespace swimtwin
 {
   namespace
   {
-    struct OptimizeCommand
-    {
-      CommonOptions common;
-      std::string   model, goal, trade_off;
-      ReplayOptions replay;
-      int           n_threads   = 0;
-      bool          with_replay = false, check_gradients = false, no_picture = false;
-    };
-
     /// The goal's own field program, if it names one: warned of where its units are doubtful.
     void import_program(GoalFile &file, std::vector<std::string> &warnings)
     {
@@ -194,34 +186,35 @@ namespace swimtwin
         throw ComputationError(fmt::format("no field was found ({}): {}", plan.status, plan.message));
     }
 
-    void optimize(const OptimizeCommand &command)
-    {
-      const CommonOptions &common = command.common;
-      if (command.with_replay)
-        require_full_order_model("--replay");
-      const ReducedModel model = read_reduced_model(find_model(command.model));
-      const Scene        scene = parse_scene(model.scene_text, model.scene_name + ".toml");
-      GoalFile           file  = read_goal(command.goal, model);
-      if (command.check_gradients && is_speaker())
-        check_and_print(model, file, reference_drive(scene));
-      if (command.check_gradients)
-        return;
-      if (is_speaker())
-        prepare_output_folder(common.output, {plan_name, field_name, page_name}, common.force);
-      if (is_speaker() && !common.quiet)
-        fmt::print("{}", model_card(model));
-      PlanResult plan = make_plan(command, model, scene, file);
-      if (command.with_replay && is_usable(plan) && std::isfinite(plan.gain()))
-        plan.replay = replay_on_full_order_model(model, plan, common, command.replay);
-      if (!is_speaker())
-        return;
-      write_motions(model, plan, common.output / motion_folder_name);
-      write_field(common, plan);
-      write_plan_result(common.output / plan_name, plan);
-      draw_and_write_page(command, read_plan(common.output));
-      conclude(command, plan);
-    }
   } // namespace
+
+  void optimize_and_report(const OptimizeCommand &command)
+  {
+    const CommonOptions &common = command.common;
+    if (command.with_replay)
+      require_full_order_model("--replay");
+    const ReducedModel model = read_reduced_model(find_model(command.model));
+    const Scene        scene = parse_scene(model.scene_text, model.scene_name + ".toml");
+    GoalFile           file  = read_goal(command.goal, model);
+    if (command.check_gradients && is_speaker())
+      check_and_print(model, file, reference_drive(scene));
+    if (command.check_gradients)
+      return;
+    if (is_speaker())
+      prepare_output_folder(common.output, {plan_name, field_name, page_name}, common.force);
+    if (is_speaker() && !common.quiet)
+      fmt::print("{}", model_card(model));
+    PlanResult plan = make_plan(command, model, scene, file);
+    if (command.with_replay && is_usable(plan) && std::isfinite(plan.gain()))
+      plan.replay = replay_on_full_order_model(model, plan, common, command.replay);
+    if (!is_speaker())
+      return;
+    write_motions(model, plan, common.output / motion_folder_name);
+    write_field(common, plan);
+    write_plan_result(common.output / plan_name, plan);
+    draw_and_write_page(command, read_plan(common.output));
+    conclude(command, plan);
+  }
 
   Work add_optimize(CLI::App &tool, const std::string &command_line)
   {
@@ -248,7 +241,7 @@ namespace swimtwin
     return [command] {
       if (!command->check_gradients && command->common.output.empty())
         throw InputError("--output is missing; give the folder for the results.");
-      optimize(*command);
+      optimize_and_report(*command);
     };
   }
 } // namespace swimtwin

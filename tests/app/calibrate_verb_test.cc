@@ -1,7 +1,7 @@
-#include <app/tool.h>
 #include <datasets/calibration_result.h>
 #include <datasets/csv_table.h>
 #include <datasets/scene.h>
+#include <tests/app/tool_in_process.h>
 #include <tests/datasets/temporary_folder.h>
 
 #include <cmath>
@@ -10,25 +10,9 @@ namespace swimtwin
 {
   namespace
   {
-    struct Outcome
+    Outcome tool(const std::vector<std::string> &arguments)
     {
-      int         code = -1;
-      std::string output, errors;
-    };
-
-    Outcome tool(std::vector<std::string> arguments)
-    {
-      arguments.insert(arguments.begin(), "swimtwin");
-      std::vector<char *> argv;
-      for (std::string &argument : arguments)
-        argv.push_back(argument.data());
-      testing::internal::CaptureStdout();
-      testing::internal::CaptureStderr();
-      Outcome outcome;
-      outcome.code   = run_tool(static_cast<int>(argv.size()), argv.data(), {{"calibrate", add_calibrate}});
-      outcome.output = testing::internal::GetCapturedStdout();
-      outcome.errors = testing::internal::GetCapturedStderr();
-      return outcome;
+      return run_in_process(arguments, {{"calibrate", add_calibrate}});
     }
 
     const std::string problem = R"(
@@ -134,6 +118,6 @@ bootstrap_samples = 60
   {
     const Outcome outcome = calibrate({"--data", folder.write("curve.csv", table), "--verify", "2"});
     EXPECT_EQ(outcome.code, 2);
-    expect_in(outcome.errors, "--verify needs the full-order model, which this build does not have");
+    expect_in(outcome.errors, "--verify needs the full-order model, which this build is without");
   }
 } // namespace swimtwin

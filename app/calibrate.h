@@ -1,0 +1,18 @@
+// A fit from files to files, for the verbs that make one.
+#pragma once
+
+#include <app/verb.h>
+
+namespace swimtwin
+{
+  struct CalibrateCommand
+  {
+    CommonOptions            common;
+    std::string              model, problem;
+    std::vector<std::string> data; ///< instead of those that the problem names
+    int                      n_threads = 0, n_checks = 0;
+    bool                     no_picture = false;
+  };
+
+  void calibrate_and_report(const CalibrateCommand &command);
+} // namespace swimtwin

@@ -1,0 +1,20 @@
+// A plan from files to files, for the verbs that make one.
+#pragma once
+
+#include <app/field_replay.h>
+#include <app/verb.h>
+
+namespace swimtwin
+{
+  struct OptimizeCommand
+  {
+    CommonOptions common;
+    std::string   model, goal, trade_off;
+    ReplayOptions replay;
+    int           n_threads   = 0;
+    bool          with_replay = false, check_gradients = false, no_picture = false;
+  };
+
+  /// Collective.
+  void optimize_and_report(const OptimizeCommand &command);
+} // namespace swimtwin
