@@ -14,11 +14,11 @@ namespace swimtwin
 {
   namespace
   {
-    constexpr Quantity required(const std::string_view unit, const Range &range = positive)
+    constexpr NumberRule required(const std::string_view unit, const Range &range = positive)
     {
       return {unit, range, Need::required};
     }
-    constexpr Quantity optional(const std::string_view unit, const Range &range = positive)
+    constexpr NumberRule optional(const std::string_view unit, const Range &range = positive)
     {
       return {unit, range, Need::optional};
     }

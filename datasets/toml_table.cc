@@ -34,9 +34,9 @@ namespace swimtwin
       return unit.empty() ? std::string() : fmt::format(" in {}", unit);
     }
 
-    std::string number_words(const Quantity &quantity)
+    std::string number_words(const NumberRule &rule)
     {
-      return fmt::format("a number{}", in_unit(quantity.unit));
+      return fmt::format("a number{}", in_unit(rule.unit));
     }
 
     std::string join_words(const std::vector<std::string> &words)
@@ -91,38 +91,38 @@ namespace swimtwin
     return nullptr;
   }
 
-  std::optional<double> TomlTable::read_number(const std::string &key, const toml::node &node, const Quantity &quantity)
+  std::optional<double> TomlTable::read_number(const std::string &key, const toml::node &node, const NumberRule &rule)
   {
     if (!node.is_number())
       return std::nullopt;
     const double value = *node.value<double>();
-    if (!quantity.range.contains(value))
-      note(key, fmt::format("is out of range; it must {}{}.", quantity.range.words,
-                            quantity.unit.empty() ? "" : fmt::format(" (unit: {})", quantity.unit)));
+    if (!rule.range.contains(value))
+      note(key, fmt::format("is out of range; it must {}{}.", rule.range.words,
+                            rule.unit.empty() ? "" : fmt::format(" (unit: {})", rule.unit)));
     return value;
   }
 
-  void TomlTable::number(const std::string &key, const Quantity &quantity, double &target)
+  void TomlTable::number(const std::string &key, const NumberRule &rule, double &target)
   {
     std::optional<double> value;
-    number(key, quantity, value);
+    number(key, rule, value);
     target = value.value_or(target);
   }
 
-  void TomlTable::number(const std::string &key, const Quantity &quantity, std::optional<double> &target)
+  void TomlTable::number(const std::string &key, const NumberRule &rule, std::optional<double> &target)
   {
-    const toml::node *node = entry(key, quantity.need, number_words(quantity));
+    const toml::node *node = entry(key, rule.need, number_words(rule));
     if (node == nullptr)
       return;
-    target = read_number(key, *node, quantity);
+    target = read_number(key, *node, rule);
     if (!target)
-      wrong_type(key, number_words(quantity));
+      wrong_type(key, number_words(rule));
   }
 
-  void TomlTable::pair(const std::string &key, const Quantity &quantity, std::array<double, 2> &target)
+  void TomlTable::pair(const std::string &key, const NumberRule &rule, std::array<double, 2> &target)
   {
-    const std::string expected = fmt::format("an array of two numbers [x, y]{}", in_unit(quantity.unit));
-    const toml::node *node     = entry(key, quantity.need, expected);
+    const std::string expected = fmt::format("an array of two numbers [x, y]{}", in_unit(rule.unit));
+    const toml::node *node     = entry(key, rule.need, expected);
     if (node == nullptr)
       return;
     const toml::array *array = node->as_array();
@@ -130,21 +130,21 @@ namespace swimtwin
       return wrong_type(key, expected);
     for (std::size_t i = 0; i < 2; ++i)
     {
-      const std::optional<double> value = read_number(key, *array->get(i), quantity);
+      const std::optional<double> value = read_number(key, *array->get(i), rule);
       if (!value)
         return wrong_type(key, expected);
       target[i] = *value;
     }
   }
 
-  void TomlTable::integer(const std::string &key, const Quantity &quantity, int &target)
+  void TomlTable::integer(const std::string &key, const NumberRule &rule, int &target)
   {
-    const toml::node *node = entry(key, quantity.need, "a whole number");
+    const toml::node *node = entry(key, rule.need, "a whole number");
     if (node == nullptr)
       return;
     if (!node->is_integer())
       return wrong_type(key, "a whole number");
-    const double value = *read_number(key, *node, quantity);
+    const double value = *read_number(key, *node, rule);
     if (std::abs(value) > std::numeric_limits<int>::max())
       return note(key, "is out of range; it must be smaller.");
     target = static_cast<int>(value);

@@ -30,7 +30,7 @@ namespace swimtwin
   inline constexpr Range  not_negative{0., infinity, false, false, "not be negative"};
 
   /// What a number means: its unit and what is allowed.
-  struct Quantity
+  struct NumberRule
   {
     std::string_view unit; ///< empty: a pure number
     Range            range = any_number;
@@ -48,11 +48,11 @@ namespace swimtwin
     bool present() const { return table_ != nullptr; }
     bool has(const std::string &key) const { return present() && table_->contains(key); }
 
-    void number(const std::string &key, const Quantity &quantity, double &target);
-    void number(const std::string &key, const Quantity &quantity, std::optional<double> &target);
+    void number(const std::string &key, const NumberRule &rule, double &target);
+    void number(const std::string &key, const NumberRule &rule, std::optional<double> &target);
     /// An array of two numbers.
-    void pair(const std::string &key, const Quantity &quantity, std::array<double, 2> &target);
-    void integer(const std::string &key, const Quantity &quantity, int &target);
+    void pair(const std::string &key, const NumberRule &rule, std::array<double, 2> &target);
+    void integer(const std::string &key, const NumberRule &rule, int &target);
     void flag(const std::string &key, bool &target);
     void text(const std::string &key, std::string &target);
     /// Declare a sub-table, to be read by a TomlTable of its own.
@@ -73,7 +73,7 @@ namespace swimtwin
 
   private:
     const toml::node          *entry(const std::string &key, Need need, const std::string &expected);
-    std::optional<double>      read_number(const std::string &key, const toml::node &node, const Quantity &quantity);
+    std::optional<double>      read_number(const std::string &key, const toml::node &node, const NumberRule &rule);
     std::optional<std::size_t> choose(const std::string &key, Need need, const std::vector<std::string> &words);
     void                       wrong_type(const std::string &key, const std::string &expected);
     void                       note(const std::string &key, const std::string &problem);

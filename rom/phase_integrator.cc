@@ -171,15 +171,27 @@ namespace swimtwin
     return coefficients;
   }
 
-  Eigen::MatrixXd PhaseIntegrator::sensitivities()
+  Eigen::MatrixXd PhaseIntegrator::unscaled_sensitivities() const
   {
     Eigen::MatrixXd columns(state().size(), equations_.n_parameters());
-    double          reached = 0.;
-    if (sensitivities_ != nullptr && n_steps_ > 0)
-      CVodeGetSens(integrator_.get(), &reached, sensitivities_);
     for (int i = 0; i < equations_.n_parameters(); ++i)
       columns.col(i) = sundials::values(sensitivities_[i]) / equations_.scale(i);
     return columns;
+  }
+
+  Eigen::MatrixXd PhaseIntegrator::sensitivities()
+  {
+    double reached = 0.;
+    if (sensitivities_ != nullptr && n_steps_ > 0)
+      CVodeGetSens(integrator_.get(), &reached, sensitivities_);
+    return unscaled_sensitivities();
+  }
+
+  Eigen::MatrixXd PhaseIntegrator::sensitivities_at(const double phase)
+  {
+    if (sensitivities_ != nullptr && n_steps_ > 0)
+      CVodeGetSensDky(integrator_.get(), phase, 0, sensitivities_);
+    return unscaled_sensitivities();
   }
 
   Eigen::Vector2d PhaseIntegrator::work()

@@ -35,6 +35,8 @@ namespace swimtwin
     Eigen::MatrixXd taylor_coefficients();
     /// d state / d parameter, one column each; SI.
     Eigen::MatrixXd sensitivities();
+    /// The same at a phase within the last step.
+    Eigen::MatrixXd sensitivities_at(double phase);
     /// Magnetic work and dissipation since the start (J/m).
     Eigen::Vector2d work();
 
@@ -46,6 +48,8 @@ namespace swimtwin
     void set_up_work();
     void start_sensitivities();
     void start_work();
+    /// As they stand in sensitivities_.
+    Eigen::MatrixXd unscaled_sensitivities() const;
 
     IntegratorOptions      options_;
     PhaseEquations         equations_;

@@ -82,6 +82,11 @@ namespace swimtwin
     return magnet_.tail_area_of_mode_m * amplitudes_.slopes(q);
   }
 
+  Eigen::Matrix2Xd ReducedSwimmer::moment_slopes(const ShapeVector &q, const SwimmerParameters &parameters) const
+  {
+    return parameters.tail_magnetization_A_m * tail_area_slopes(q);
+  }
+
   SwimmerMotion ReducedSwimmer::make_motion() const
   {
     SwimmerMotion motion;

@@ -52,6 +52,8 @@ namespace swimtwin
 
     /// Moment per unit depth (A) in the head's frame.
     Eigen::Vector2d moment(const ShapeVector &q, const SwimmerParameters &parameters) const;
+    /// Its derivative by the shape (A/m), 2 x r.
+    Eigen::Matrix2Xd moment_slopes(const ShapeVector &q, const SwimmerParameters &parameters) const;
 
     SwimmerMotion   make_motion() const;
     RateDerivatives make_derivatives() const;

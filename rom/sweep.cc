@@ -1,14 +1,12 @@
 #include <datasets/error.h>
+#include <datasets/parallel_for.h>
 #include <rom/sweep.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <ctime>
-#include <exception>
 #include <limits>
 #include <mutex>
-#include <thread>
 
 namespace swimtwin
 {
@@ -139,38 +137,6 @@ namespace swimtwin
       SwimmerIntegrator   all_, fewer_;
       PeriodicOrbitFinder orbits_;
     };
-
-    /// Calls work(i) for all i below n on some threads; the first exception ends them all and comes back.
-    template <typename MakeWorker>
-    void share(const std::size_t n, const int threads, const MakeWorker &make_worker)
-    {
-      std::atomic<std::size_t> next = 0;
-      std::exception_ptr       error;
-      std::mutex               first;
-      const auto               take_turns = [&] {
-        try
-        {
-          auto worker = make_worker();
-          for (std::size_t i = next++; i < n; i = next++)
-            worker(i);
-        }
-        catch (...) // not to steer: thrown again below, in the caller's thread
-        {
-          const std::lock_guard lock(first);
-          if (!error)
-            error = std::current_exception();
-          next = n;
-        }
-      };
-      {
-        std::vector<std::jthread> others;
-        for (int t = 1; t < threads; ++t)
-          others.emplace_back(take_turns);
-        take_turns();
-      }
-      if (error)
-        std::rethrow_exception(error);
-    }
   } // namespace
 
   std::size_t SweepAxes::n_members() const
@@ -198,7 +164,7 @@ namespace swimtwin
     std::vector<SweepResult> results(axes.n_members());
     std::mutex               reporting;
     std::size_t              n_done = 0;
-    share(results.size(), n_sweep_threads(options, results.size()), [&] {
+    parallel_for(results.size(), n_sweep_threads(options, results.size()), [&] {
       return [&, worker = SweepWorker(swimmers, options)](const std::size_t i) mutable {
         results[i] = worker.result_of(member_of(i, axes, options.base));
         const std::lock_guard lock(reporting);
@@ -212,8 +178,6 @@ namespace swimtwin
 
   int n_sweep_threads(const SweepOptions &options, const std::size_t n_members)
   {
-    const auto        cores  = static_cast<int>(std::thread::hardware_concurrency());
-    const std::size_t wanted = static_cast<std::size_t>(std::max(1, options.n_threads > 0 ? options.n_threads : cores));
-    return static_cast<int>(std::min(n_members, wanted));
+    return n_threads_for(n_members, options.n_threads);
   }
 } // namespace swimtwin

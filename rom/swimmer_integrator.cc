@@ -105,6 +105,8 @@ namespace swimtwin
         row.n_unknowns         = swimmer.n_states();
         run_.trajectory.push_back(row);
         run_.snapshots.push_back({phase, state, motion.rate});
+        if (equations.n_parameters() > 0)
+          run_.sensitivity_at_snapshots.push_back(integrator_.sensitivities_at(phase));
       }
 
       void keep_state()

@@ -47,7 +47,8 @@ namespace swimtwin
     std::vector<Eigen::MatrixXd> sensitivity_at_period_end; ///< the same; (r + 3) x number of parameters, SI
     std::vector<PeriodWork>      work;                      ///< per period, if asked for
     Trajectory                   trajectory;
-    std::vector<ReducedSnapshot> snapshots; ///< of every row of the trajectory
+    std::vector<ReducedSnapshot> snapshots;                ///< of every row of the trajectory
+    std::vector<Eigen::MatrixXd> sensitivity_at_snapshots; ///< as at the periods' ends
 
     double largest_shape_radius = 0., largest_angle_radius = 0.; ///< above 1: outside the trained region
     long   n_steps = 0, n_rate_evaluations = 0, n_jacobians = 0;

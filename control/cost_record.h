@@ -1,0 +1,42 @@
+// How good a search had become by what it had cost.
+#pragma once
+
+#include <datasets/plan_result.h>
+#include <optimization/minimization_problem.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace swimtwin
+{
+  /// Keeps the best point by the periods that had been integrated when it was found.
+  class CostRecord
+  {
+  public:
+    explicit CostRecord(const double tolerance) : tolerance_(tolerance) {}
+
+    void note(const Evaluation &evaluation, const long n_periods)
+    {
+      if (evaluation.failed())
+        return;
+      const double violation = std::max(0., evaluation.constraints.size() ? evaluation.constraints.maxCoeff() : 0.);
+      const PlanTraceStep step{n_periods, evaluation.objective, violation};
+      if (trace_.empty() || better(step, trace_.back()))
+        trace_.push_back(step);
+    }
+
+    std::vector<PlanTraceStep> trace() const { return trace_; }
+
+  private:
+    bool better(const PlanTraceStep &a, const PlanTraceStep &b) const
+    {
+      const bool a_feasible = a.violation <= tolerance_, b_feasible = b.violation <= tolerance_;
+      if (a_feasible != b_feasible)
+        return a_feasible;
+      return a_feasible ? a.objective < b.objective : a.violation < b.violation;
+    }
+
+    double                     tolerance_;
+    std::vector<PlanTraceStep> trace_;
+  };
+} // namespace swimtwin

@@ -1,0 +1,111 @@
+#include <control/cost_record.h>
+#include <control/field_search.h>
+#include <optimization/sobol_points.h>
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <limits>
+#include <thread>
+
+namespace swimtwin
+{
+  namespace
+  {
+    int n_threads(const FieldSearchOptions &options, const std::size_t n)
+    {
+      const int wanted =
+          options.n_threads > 0 ? options.n_threads : static_cast<int>(std::thread::hardware_concurrency());
+      return std::clamp(wanted, 1, static_cast<int>(n));
+    }
+  } // namespace
+
+  FieldFound search_field(const FieldTask &task, const FieldVariables &variables, const FieldStart &start,
+                          const FieldSearchOptions &options)
+  {
+    StrokeProblem strokes(task.model, task.swimmer, task.goal, variables, options.stroke);
+    strokes.restart_from(start.state);
+    CostRecord          record(options.search.feasibility_tolerance);
+    MinimizationProblem problem = field_box(variables, task.goal);
+    problem.n_constraints       = strokes.n_constraints();
+    problem.constraint_names    = strokes.constraint_names();
+    problem.evaluate            = [&](const Eigen::VectorXd &x, const bool derivatives, Evaluation &evaluation) {
+      if (options.max_periods > 0 && strokes.n_periods() >= options.max_periods)
+      {
+        evaluation.failure = "the budget of periods is spent";
+        return;
+      }
+      strokes.evaluate(x, derivatives, task.sizes, evaluation);
+      record.note(evaluation, strokes.n_periods());
+    };
+    FieldFound found;
+    found.minimum   = search_minimum(problem, variables.variables(start.drive), options.search);
+    found.n_periods = strokes.n_periods();
+    found.trace     = record.trace();
+    found.start     = start.state;
+    if (found.minimum.x.size() == 0)
+      return found;
+    found.drive = variables.drive(found.minimum.x);
+    if (const Stroke &stroke = strokes.stroke(found.minimum.x, false); stroke.found())
+      found.start = stroke.orbit.start;
+    return found;
+  }
+
+  std::vector<FieldFound> search_fields(const FieldTask &task, const FieldVariables &variables,
+                                        const std::vector<FieldStart> &starts, const FieldSearchOptions &options)
+  {
+    std::vector<FieldFound>         found(starts.size());
+    std::vector<std::exception_ptr> errors(starts.size());
+    std::atomic<std::size_t>        next       = 0;
+    const auto                      take_turns = [&] {
+      for (std::size_t i = next++; i < starts.size(); i = next++)
+        try
+        {
+          found[i] = search_field(task, variables, starts[i], options);
+        }
+        catch (...) // not to steer: thrown again below, in the caller's thread
+        {
+          errors[i] = std::current_exception();
+        }
+    };
+    {
+      std::vector<std::jthread> others;
+      for (int t = 1; t < n_threads(options, starts.size()); ++t)
+        others.emplace_back(take_turns);
+      take_turns();
+    }
+    for (const std::exception_ptr &error : errors)
+      if (error)
+        std::rethrow_exception(error);
+    return found;
+  }
+
+  const FieldFound &best_of(const std::vector<FieldFound> &found)
+  {
+    const auto rank = [](const FieldFound &f) {
+      if (f.minimum.is_feasible())
+        return std::pair(0, f.minimum.objective);
+      return f.minimum.status == MinimumStatus::infeasible ? std::pair(1, f.minimum.violation)
+                                                           : std::pair(2, std::numeric_limits<double>::infinity());
+    };
+    return *std::min_element(found.begin(), found.end(),
+                             [&](const FieldFound &a, const FieldFound &b) { return rank(a) < rank(b); });
+  }
+
+  std::vector<FieldStart> starts_around(const FieldStart &centre, const FieldVariables &variables,
+                                        const SwimmingGoal &goal, const int n_starts, const double part,
+                                        const unsigned long seed)
+  {
+    const MinimizationProblem box = field_box(variables, goal);
+    const Eigen::VectorXd     x = variables.variables(centre.drive), range = part * (box.upper - box.lower);
+    Eigen::VectorXd           lower = (x - range).cwiseMax(box.lower), upper = (x + range).cwiseMin(box.upper);
+    const Eigen::Index        last = x.size() - 1;
+    lower[last]                    = box.lower[last];
+    upper[last]                    = box.upper[last];
+    const Eigen::MatrixXd   points = sobol_points(lower, upper, n_starts, seed);
+    std::vector<FieldStart> starts;
+    for (int i = 0; i < n_starts; ++i)
+      starts.push_back({variables.drive(points.col(i)), centre.state});
+    return starts;
+  }
+} // namespace swimtwin

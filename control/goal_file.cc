@@ -1,0 +1,176 @@
+#include <control/goal_file.h>
+#include <datasets/csv_table.h>
+#include <datasets/error.h>
+#include <datasets/toml_table.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace swimtwin
+{
+  namespace
+  {
+    constexpr Range  at_least_one{1., infinity, false, false, "be at least 1"};
+    constexpr Range  fraction{0., 1., false, true, "be at least 0 and below 1"};
+    constexpr double degree = std::numbers::pi / 180.;
+
+    constexpr std::array<std::pair<std::string_view, FieldFamily>, 3> families = {
+        {{"general", FieldFamily::general},
+         {"symmetric", FieldFamily::symmetric},
+         {"sinusoid", FieldFamily::sinusoid}}};
+
+    void read_objective(const TomlDocument &document, SwimmingGoal &goal)
+    {
+      TomlTable table(document, "objective");
+      for (const StrokeTerm term : all_stroke_terms)
+      {
+        double weight = 0.;
+        table.number(to_string(term), {"", not_negative}, weight);
+        if (weight > 0.)
+          goal.weights[term] = weight;
+      }
+      const double head_first_deg = goal.heading_rad / degree + 180.;
+      double       direction_deg  = head_first_deg;
+      table.number("direction_deg", {"degrees", any_number}, direction_deg);
+      table.finish();
+      goal.field.turn_rad = std::remainder(direction_deg - head_first_deg, 360.) * degree;
+      if (goal.weights.empty())
+        document.refuse("objective", "mean_speed",
+                        "is missing, and so is every other term; give at least one a positive weight.");
+    }
+
+    void read_swimmer(const TomlDocument &document, SwimmingGoal &goal)
+    {
+      TomlTable table(document, "swimmer");
+      table.number("young_modulus_Pa", {"Pa", positive}, goal.swimmer.young_modulus_Pa);
+      table.number("viscosity_Pa_s", {"Pa s", positive}, goal.swimmer.viscosity_Pa_s);
+      table.number("magnetization_A_m", {"A/m", any_number}, goal.swimmer.magnetization_A_m);
+      table.finish();
+    }
+
+    void read_field(const TomlDocument &document, const ReducedModel &model, GoalFile &file)
+    {
+      TomlTable table(document, "field");
+      table.integer("harmonics", {"", at_least_one}, file.goal.n_harmonics);
+      table.choice("family", Need::optional, families, file.goal.family);
+      file.goal.frequency_Hz = model.range.frequency_Hz;
+      table.number("frequency_low_Hz", {"Hz", positive}, file.goal.frequency_Hz.low);
+      table.number("frequency_high_Hz", {"Hz", positive}, file.goal.frequency_Hz.high);
+      table.number("sample_rate_Hz", {"Hz", positive}, file.sample_rate_Hz);
+      std::string program;
+      table.text("program", program);
+      file.program = program;
+      table.number("period_s", {"s", positive}, file.program_period_s);
+      table.finish();
+      const Interval &f = file.goal.frequency_Hz;
+      if (f.low > f.high)
+        document.refuse("field", table.has("frequency_low_Hz") ? "frequency_low_Hz" : "frequency_high_Hz",
+                        fmt::format("leaves no frequency: from {:.4g} to {:.4g} Hz (the model was trained from {:.4g} "
+                                    "to {:.4g} Hz).",
+                                    f.low, f.high, model.range.frequency_Hz.low, model.range.frequency_Hz.high));
+    }
+
+    /// coil_1_A_T = [a, b], coil_2_A_T, ...: current = a bx + b by.
+    void read_coils(TomlTable &table, FieldLimits &limits)
+    {
+      std::vector<std::array<double, 2>> rows;
+      for (std::string key = "coil_1_A_T"; table.has(key); key = fmt::format("coil_{}_A_T", rows.size() + 1))
+        table.pair(key, {"A/T", any_number}, rows.emplace_back());
+      limits.current_per_field_A_T.resize(static_cast<Eigen::Index>(rows.size()), 2);
+      for (std::size_t i = 0; i < rows.size(); ++i)
+        limits.current_per_field_A_T.row(static_cast<Eigen::Index>(i)) << rows[i][0], rows[i][1];
+      table.number("coil_current_A", {"A", positive}, limits.current_A);
+    }
+
+    void read_limits(const TomlDocument &document, SwimmingGoal &goal)
+    {
+      TomlTable    table(document, "limits");
+      double       heading_deg = infinity;
+      FieldLimits &field       = goal.field;
+      table.number("magnitude_T", {"T", positive}, field.magnitude_T);
+      table.number("bx_T", {"T", positive}, field.component_T[0]);
+      table.number("by_T", {"T", positive}, field.component_T[1]);
+      table.number("slew_rate_T_s", {"T/s", positive}, field.slew_rate_T_s);
+      read_coils(table, field);
+      table.number("largest_multiplier", {"", positive}, goal.motion.largest_multiplier);
+      table.number("heading_deviation_deg", {"degrees", positive}, heading_deg);
+      table.number("tail_strain", {"", positive}, goal.motion.tail_strain);
+      table.number("shape_radius", {"trained radii", positive}, goal.motion.shape_radius);
+      table.finish();
+      goal.motion.heading_deviation_rad = heading_deg * degree;
+      if (!std::isfinite(largest_magnitude_T(field)))
+        document.refuse("limits", "magnitude_T",
+                        "is missing, and nothing else bounds the field; give it, or bx_T and by_T, or coil_1_A_T, "
+                        "coil_2_A_T and coil_current_A.");
+    }
+
+    void read_search(const TomlDocument &document, FieldPlanOptions &options)
+    {
+      TomlTable   table(document, "search");
+      std::string method = to_string(options.search.search.method), without = to_string(options.gradient_free);
+      int         seed = static_cast<int>(options.seed);
+      table.text("method", method);
+      table.integer("starts", {"", not_negative}, options.n_starts);
+      table.integer("max_evaluations", {"", at_least_one}, options.search.search.max_evaluations);
+      table.integer("seed", {"", not_negative}, seed);
+      table.text("gradient_free_method", without);
+      table.number("gradient_free_budget", {"", not_negative}, options.gradient_free_budget);
+      table.finish();
+      options.seed                 = static_cast<unsigned long>(seed);
+      options.search.search.seed   = options.seed;
+      options.search.search.method = search_method(method);
+      options.gradient_free        = search_method(without);
+      if (!takes_constraints(options.search.search.method))
+        document.refuse("search", "method", "takes no constraints; choose slsqp, ccsaq or mma.");
+      if (!takes_constraints(options.gradient_free) || uses_gradients(options.gradient_free))
+        document.refuse("search", "gradient_free_method", "is not possible here; choose cobyla or isres.");
+    }
+
+    void read_robust(const TomlDocument &document, const std::filesystem::path &folder, SwimmingGoal &goal)
+    {
+      TomlTable table(document, "robust");
+      if (!table.present())
+        return;
+      std::string calibration;
+      table.text("calibration", calibration);
+      table.number("left_out", {"", fraction}, goal.robust.left_out);
+      table.integer("members", {"", at_least_one}, goal.robust.n_members);
+      table.finish();
+      if (calibration.empty())
+        document.refuse("robust", "calibration", "is missing; give the calibration.json whose sample to plan for.");
+      goal.robust.calibration = folder / calibration;
+    }
+
+    SwimmingGoal goal_of(const ReducedModel &model)
+    {
+      const Scene  scene = parse_scene(model.scene_text, model.scene_name + ".toml");
+      SwimmingGoal goal;
+      goal.swimmer     = swimmer_parameters(scene);
+      goal.heading_rad = scene.head.angle_rad;
+      return goal;
+    }
+  } // namespace
+
+  GoalFile read_goal(const std::filesystem::path &path, const ReducedModel &model)
+  {
+    GoalFile file;
+    file.text = read_text_file(path, "the goal");
+    file.goal = goal_of(model);
+    const TomlDocument document(file.text, path.string(), {});
+    TomlTable          root(document, "");
+    for (const char *table : {"objective", "swimmer", "field", "limits", "search", "robust"})
+      root.table(table);
+    root.finish();
+    read_objective(document, file.goal);
+    read_swimmer(document, file.goal);
+    read_field(document, model, file);
+    read_limits(document, file.goal);
+    read_search(document, file.options);
+    read_robust(document, path.parent_path(), file.goal);
+    if (!file.program.empty())
+      file.program = path.parent_path() / file.program;
+    return file;
+  }
+} // namespace swimtwin
