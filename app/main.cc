@@ -18,6 +18,7 @@ int main(int argc, char **argv)
                    {"resistance", add_resistance},
                    {"train", add_train},
                    {"sweep", add_sweep},
+                   {"track", add_track},
                    {"report", add_report},
                    {"demo", add_demo}});
 }

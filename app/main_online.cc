@@ -4,5 +4,5 @@
 int main(int argc, char **argv)
 {
   using namespace swimtwin;
-  return run_tool(argc, argv, {{"sweep", add_sweep}, {"report", add_report}});
+  return run_tool(argc, argv, {{"sweep", add_sweep}, {"track", add_track}, {"report", add_report}});
 }

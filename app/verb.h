@@ -46,6 +46,7 @@ namespace swimtwin
   Work add_resistance(CLI::App &tool, const std::string &command_line);
   Work add_train(CLI::App &tool, const std::string &command_line);
   Work add_sweep(CLI::App &tool, const std::string &command_line);
+  Work add_track(CLI::App &tool, const std::string &command_line);
   Work add_report(CLI::App &tool, const std::string &command_line);
   Work add_demo(CLI::App &tool, const std::string &command_line);
 } // namespace swimtwin

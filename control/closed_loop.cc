@@ -8,6 +8,7 @@
 #include <cmath>
 #include <ctime>
 #include <numbers>
+#include <optional>
 #include <random>
 
 namespace swimtwin
@@ -57,22 +58,45 @@ namespace swimtwin
       TrackResult run()
       {
         record_pose(0.);
-        warm_up();
-        place_path();
         try
         {
-          follow();
+          warm_up();
+          place_path();
+          follow(now_ + options_.max_periods, true);
         }
         catch (const ComputationError &error)
         {
-          result_.status  = TrackStatus::failed;
-          result_.message = error.what();
+          fail(error);
+        }
+        summarise();
+        return std::move(result_);
+      }
+
+      TrackResult play(const TrackResult &planned)
+      {
+        record_pose(0.);
+        result_.plan = planned.plan;
+        result_.path = path_ = planned.path;
+        try
+        {
+          warm_up();
+          follow(planned.end_periods, false);
+        }
+        catch (const ComputationError &error)
+        {
+          fail(error);
         }
         summarise();
         return std::move(result_);
       }
 
     private:
+      void fail(const ComputationError &error)
+      {
+        result_.status  = TrackStatus::failed;
+        result_.message = error.what();
+      }
+
       double frequency_Hz() const { return result_.plan.carrier.frequency_Hz; }
 
       Pose measure()
@@ -99,8 +123,6 @@ namespace swimtwin
         believed_.add(now, state_.head<2>());
       }
 
-      void step(const double now, const double next) { plant_.advance(result_.plan, now, next); }
-
       /// The model beside the plant.
       void predict(const double now, const double next)
       {
@@ -111,14 +133,8 @@ namespace swimtwin
 
       void warm_up()
       {
-        for (; now_ < options_.warm_up_periods - 1e-9; now_ += interval_)
-        {
-          step(now_, now_ + interval_);
-          predict(now_, now_ + interval_);
-          measured_ = measure();
-          correct(measured_);
-          record_pose(now_ + interval_);
-        }
+        while (now_ < options_.warm_up_periods - 1e-9)
+          go_on();
         result_.start_periods = now_;
       }
 
@@ -169,29 +185,35 @@ namespace swimtwin
         return left <= options_.end_distance * model_.length_m();
       }
 
-      void follow()
+      /// Until the path or the time ends.
+      void follow(const double end, const bool is_led)
       {
-        const double end = now_ + options_.max_periods;
-        while (now_ < end - 1e-9 && !has_arrived())
+        while (now_ < end - 1e-9 && !(is_led && has_arrived()))
         {
           TrackedInstant instant;
-          decide(instant);
+          if (is_led)
+            decide(instant);
           describe(instant);
           result_.instants.push_back(instant);
-          step(now_, now_ + interval_);
-          predict(now_, now_ + interval_);
-          now_ += interval_;
-          measured_ = measure();
-          correct(measured_);
-          record_pose(now_);
+          go_on();
           if (options_.on_progress)
             options_.on_progress(true_arc_ / path_.length_m());
         }
         result_.status = has_arrived() ? TrackStatus::arrived : TrackStatus::not_arrived;
         if (!has_arrived())
-          result_.message =
-              fmt::format("the swimmer was {:.3g} m along a path of {:.3g} m when its {:.4g} periods ended", true_arc_,
-                          path_.length_m(), options_.max_periods);
+          result_.message = fmt::format("the swimmer was {:.3g} m along a path of {:.3g} m when its time ended",
+                                        true_arc_, path_.length_m());
+      }
+
+      /// To the next decision: the plant moves, the model moves beside it, and is corrected by what is seen.
+      void go_on()
+      {
+        plant_.advance(result_.plan, now_, now_ + interval_);
+        predict(now_, now_ + interval_);
+        now_ += interval_;
+        measured_ = measure();
+        correct(measured_);
+        record_pose(now_);
       }
 
       void summarise()
@@ -206,7 +228,7 @@ namespace swimtwin
           result_.mean_decision_s += instant.decision_cpu_s / n;
           result_.largest_distance_m = std::max(result_.largest_distance_m, instant.distance_m);
           result_.largest_decision_s = std::max(result_.largest_decision_s, instant.decision_cpu_s);
-          result_.n_missed += !instant.decided;
+          result_.n_missed += instant.decision_cpu_s > 0. && !instant.decided;
         }
         result_.n_decisions = static_cast<int>(result_.instants.size());
         for (double *square : {&result_.rms_distance_m, &result_.rms_swing_m, &result_.rms_heading_rad})
@@ -263,6 +285,12 @@ namespace swimtwin
                               const Drive &carrier, const Path &path, Plant &plant, const ClosedLoopOptions &options)
   {
     return ClosedLoop(model, model_parameters, carrier, path, plant, options).run();
+  }
+
+  TrackResult play_plan(const ReducedSwimmer &model, const SwimmerParameters &model_parameters,
+                        const TrackResult &planned, Plant &plant, const ClosedLoopOptions &options)
+  {
+    return ClosedLoop(model, model_parameters, planned.plan.carrier, planned.path, plant, options).play(planned);
   }
 
   TrackResult follow_path(const ReducedSwimmer &model, const SwimmerParameters &parameters, const Drive &carrier,

@@ -72,6 +72,10 @@ namespace swimtwin
                               const Drive &carrier, const Path &path, Plant &plant,
                               const ClosedLoopOptions &options = {});
 
+  /// A plan that was found before, played blindly, and how far from its own path that leads the plant.
+  TrackResult play_plan(const ReducedSwimmer &model, const SwimmerParameters &model_parameters,
+                        const TrackResult &planned, Plant &plant, const ClosedLoopOptions &options = {});
+
   /// On the model itself, without noise and deadline: a plan that can be played blindly.
   TrackResult follow_path(const ReducedSwimmer &model, const SwimmerParameters &parameters, const Drive &carrier,
                           const Path &path, ClosedLoopOptions options = {});

@@ -54,6 +54,7 @@ namespace swimtwin
     MotionGradient evaluate(const RunRequest &request, const MotionFunctional &functional);
     /// The motion of the last call.
     const StoredMotion &motion() const { return motion_; }
+    double              length_m() const { return equations_.swimmer().length_m(); }
 
   private:
     /// Of the adjoint's steps, from the start to the end.
