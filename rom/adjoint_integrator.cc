@@ -8,7 +8,8 @@ namespace swimtwin
 {
   namespace
   {
-    constexpr double growth = 2.; // of pieces away from the end
+    constexpr double growth           = 2.; // of pieces away from the end
+    constexpr double steps_in_a_piece = 3.; // of the longest that are allowed
 
     /// Pieces that begin short at the end of the run, where shapes forget the functional fast: as long as the fastest
     /// of them at first, then growing.
@@ -72,11 +73,12 @@ namespace swimtwin
 
   std::vector<double> AdjointIntegrator::pieces()
   {
-    std::vector<double> phases = {0.};
+    const double        longest = steps_in_a_piece * options_.max_step_periods;
+    std::vector<double> phases  = {0.};
     for (int step = 0, taken = 0; step < motion_.n_steps(); ++step)
     {
       const bool is_last = step + 1 == motion_.n_steps();
-      const bool is_long = !is_last && motion_.end_of_step(step + 1) - phases.back() > options_.max_step_periods;
+      const bool is_long = !is_last && motion_.end_of_step(step + 1) - phases.back() > longest;
       if (++taken < options_.steps_per_piece && !is_last && !is_long && !motion_.ends_at_kink(step))
         continue;
       phases.push_back(motion_.end_of_step(step));
