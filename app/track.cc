@@ -101,7 +101,9 @@ namespace swimtwin
     const Scene          scene  = parse_scene(model.scene_text, model.scene_name + ".toml");
     const ReducedSwimmer swimmer(model);
     TrackRecord          record;
-    record.goal = read_tracking_goal(command.goal, model);
+    record.goal            = read_tracking_goal(command.goal, model);
+    const bool has_replay  = command.with_replay && record.goal.kind == TrackingKind::path;
+    const auto replayed_on = has_replay ? full_order_plant(model, record.goal) : nullptr;
     prepare_output_folder(common.output, {track_table_name, track_summary_name, track_field_name, replay_table_name},
                           common.force);
     if (!common.quiet)
@@ -112,9 +114,8 @@ namespace swimtwin
       bar.show(static_cast<int>(1000. * share), 1000, static_cast<int>(1000. * share), now_s() - start);
     };
     record.result = swim(model, swimmer, record.goal);
-    if (command.with_replay && record.goal.kind == TrackingKind::path)
-      record.replay = play_plan(swimmer, record.goal.believed, record.result, *full_order_plant(model, record.goal),
-                                record.goal.options);
+    if (has_replay)
+      record.replay = play_plan(swimmer, record.goal.believed, record.result, *replayed_on, record.goal.options);
     record.body_length_m = swimmer.length_m();
     record.model_file    = find_model(command.model).string();
     record.provenance    = {SWIMTWIN_VERSION, common.command_line, scene.text,

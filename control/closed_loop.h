@@ -10,7 +10,7 @@ namespace swimtwin
 {
   struct ClosedLoopOptions
   {
-    FollowerOptions follower;
+    FollowerOptions follower             = {};
     double          decisions_per_second = 20.;
     double          deadline_s      = 0.05; ///< CPU time of a decision; a later one is not used, the last plan goes on
     double          position_noise  = 0.;   ///< standard deviation of what is measured, body lengths

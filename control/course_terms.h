@@ -33,7 +33,7 @@ namespace swimtwin
   };
 
   /// Integral over time of the squared distance of the head from a point that runs along a path, and of the squared
-  /// angle of the body against the path, each per squared scale.
+  /// angle of the body against the path, each per squared scale. Smooth in time as far as the path is.
   class TimedPathTerm : public MotionFunctional
   {
   public:

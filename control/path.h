@@ -56,7 +56,7 @@ namespace swimtwin
     bool                         closed_ = false;
   };
 
-  /// Whether something that is led by its front at `lever_m` before its axle (docs/equations.md, section 16) can keep
+  /// Whether something that is led by its front at `lever_m` before its axle (docs/equations.md, "Adjoint and tracking") can keep
   /// its front on the path, and where it cannot. `heading_rad`: of the body at the start.
   struct PathRequirement
   {

@@ -1,5 +1,5 @@
 // The derivative of one number of a motion by everything that the motion depends on, for the price of a few runs
-// (docs/equations.md, section 16).
+// (docs/equations.md, "Adjoint and tracking").
 #pragma once
 
 #include <rom/motion_functional.h>

@@ -1,6 +1,6 @@
 #include <rom/adjoint_step.h>
 
-// Letters as in docs/equations.md, section 16: y state, lambda its adjoint, J the derivative of dy/dphase by y, l the
+// Letters as in docs/equations.md, "Adjoint and tracking": y state, lambda its adjoint, J the derivative of dy/dphase by y, l the
 // running part of the functional, f the frequency.
 
 namespace swimtwin

@@ -89,10 +89,18 @@ namespace swimtwin
   std::vector<LinearisedInstant> linearise_motion(PhaseEquations &equations, const StoredMotion &motion,
                                                   const std::vector<double> &phases)
   {
+    constexpr int                  steps_at_once = 8; // of the motion: more of them where it changes fast
     Linearisation                  linearisation(equations, motion);
     std::vector<LinearisedInstant> instants = {linearisation.start()};
+    int                            step     = 0;
     for (const double phase : phases)
-      instants.push_back(linearisation.next(instants.back(), phase));
+    {
+      LinearisedInstant now = instants.back();
+      for (int taken = 1; step < motion.n_steps() && motion.end_of_step(step) < phase; ++step, ++taken)
+        if (taken % steps_at_once == 0)
+          now = linearisation.next(now, motion.end_of_step(step));
+      instants.push_back(linearisation.next(now, phase));
+    }
     return instants;
   }
 } // namespace swimtwin

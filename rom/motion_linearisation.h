@@ -18,8 +18,8 @@ namespace swimtwin
   };
 
   /// At the start and at each of the increasing phases in (0, n_periods], by all parameters of the field that the
-  /// equations were started with; the initial state stays. One collocation step of order 5 (Radau IIA) leads from each
-  /// instant to the next: close enough together, they are as accurate as the motion.
+  /// equations were started with; the initial state stays. Collocation steps of order 5 (Radau IIA), no longer than
+  /// eight steps of the motion, lead from each instant to the next.
   std::vector<LinearisedInstant> linearise_motion(PhaseEquations &equations, const StoredMotion &motion,
                                                   const std::vector<double> &phases);
 } // namespace swimtwin

@@ -81,7 +81,8 @@ namespace swimtwin
 
   TEST_F(ClosedLoopOfTheOpenSwimmer, MirroredPathsHaveMirroredPlans)
   {
-    const ClosedLoopOptions      options = {.decisions_per_second = 5., .max_periods = 6.};
+    ClosedLoopOptions options           = {.decisions_per_second = 5., .max_periods = 3.};
+    options.follower.relative_tolerance = 1e-9; // step sizes differ by round-off, and motions by this
     std::vector<Eigen::Vector2d> mirrored;
     for (const Eigen::Vector2d &point : arc.points_m())
       mirrored.emplace_back(point.x(), -point.y());
@@ -90,7 +91,8 @@ namespace swimtwin
     other.parameters[1] *= -1.;
     const TrackResult left  = follow_path(swimmer, believed, request.drive, arc, options);
     const TrackResult right = follow_path(swimmer, believed, other, Path::through(mirrored), options);
-    EXPECT_LE((left.plan.angles_rad + right.plan.angles_rad).lpNorm<Eigen::Infinity>(), 1e-6);
+    EXPECT_LE((left.plan.angles_rad + right.plan.angles_rad).lpNorm<Eigen::Infinity>(), 1e-5);
+    EXPECT_GT(left.plan.angles_rad.lpNorm<Eigen::Infinity>(), 1e-2);
   }
 
   TEST_F(ClosedLoopOfTheOpenSwimmer, RefusesAPathThatItCannotFollow)

@@ -184,7 +184,7 @@ namespace swimtwin
   TEST_F(Adjoint, AgreesWithDifferencesForEndAndCourse)
   {
     use_splines(8);
-    AdjointIntegrator adjoint(swimmer, {.relative_tolerance = 1e-10, .max_step_periods = max_step_periods});
+    AdjointIntegrator adjoint(swimmer, {.relative_tolerance = 1e-11, .max_step_periods = max_step_periods});
     const auto        checks =
         check_adjoint(adjoint, request, Course(swimmer.length_m()), all_parameters(request, swimmer.n_modes()));
     for (const AdjointCheck &check : checks)
@@ -198,7 +198,7 @@ namespace swimtwin
     request.drive.field = std::make_shared<PiecewiseLinearField>(std::vector<double>{0., 0.2, 0.45, 0.8});
     request.drive.parameters.resize(8);
     request.drive.parameters << 5e-3, 0., 4e-3, 5e-3, 5e-3, -4e-3, 6e-3, 1e-3;
-    AdjointIntegrator adjoint(swimmer, {.relative_tolerance = 1e-10});
+    AdjointIntegrator adjoint(swimmer, {.relative_tolerance = 1e-11});
     EXPECT_LE(largest_error(check_adjoint(adjoint, request, Course(swimmer.length_m()),
                                           all_parameters(request, swimmer.n_modes()))),
               1e-5);
