@@ -2,6 +2,7 @@
 #include <app/field_replay.h>
 #include <app/flow_output.h>
 #include <app/full_order_build.h>
+#include <app/full_order_plant.h>
 #include <app/full_order_run.h>
 
 #include <datasets/error.h>
@@ -24,6 +25,12 @@ namespace swimtwin
   {
     require_full_order_model("a full-order run");
     return 0.;
+  }
+
+  std::unique_ptr<Plant> make_full_order_plant(const Scene &, const FullOrderPlantOptions &)
+  {
+    require_full_order_model("a full-order plant");
+    return {};
   }
 
   PlanReplay replay_on_full_order_model(const ReducedModel &, const PlanResult &, const CommonOptions &,

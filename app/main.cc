@@ -21,6 +21,7 @@ int main(int argc, char **argv)
                    {"reconstruct", add_reconstruct},
                    {"calibrate", add_calibrate},
                    {"optimize", add_optimize},
+                   {"track", add_track},
                    {"report", add_report},
                    {"demo", add_demo}});
 }

@@ -49,6 +49,7 @@ namespace swimtwin
   Work add_sweep(CLI::App &tool, const std::string &command_line);
   Work add_reconstruct(CLI::App &tool, const std::string &command_line);
   Work add_optimize(CLI::App &tool, const std::string &command_line);
+  Work add_track(CLI::App &tool, const std::string &command_line);
   Work add_report(CLI::App &tool, const std::string &command_line);
   Work add_demo(CLI::App &tool, const std::string &command_line);
 } // namespace swimtwin

@@ -57,6 +57,14 @@ namespace swimtwin
     return slopes;
   }
 
+  void PiecewiseLinearField::pull_back(const double           phase, const Eigen::VectorXd           &/*parameters*/,
+                                       const Eigen::Vector2d &by_field, Eigen::Ref<Eigen::VectorXd> by_parameters) const
+  {
+    const auto [left, right, weight] = find(phase);
+    by_parameters.segment<2>(2 * left) += (1. - weight) * by_field;
+    by_parameters.segment<2>(2 * right) += weight * by_field;
+  }
+
   namespace
   {
     Drive sampled_drive(const FieldProgram &program)

@@ -22,6 +22,13 @@ namespace swimtwin
     virtual Eigen::Vector2d          value_T(double phase, const Eigen::VectorXd &parameters) const = 0;
     /// dB/dparameters, 2 x n.
     virtual Eigen::Matrix2Xd slopes(double phase, const Eigen::VectorXd &parameters) const = 0;
+    /// Adds slopes^T by_field: a derivative by the field becomes one by the parameters. Fields with few parameters at a
+    /// time do it without the matrix.
+    virtual void pull_back(double phase, const Eigen::VectorXd &parameters, const Eigen::Vector2d &by_field,
+                           Eigen::Ref<Eigen::VectorXd> by_parameters) const
+    {
+      by_parameters.noalias() += slopes(phase, parameters).transpose() * by_field;
+    }
     /// Phases in [0, 1) where the field is continuous but its rate jumps: the integrator ends a step there.
     virtual std::vector<double> kinks() const { return {}; }
   };
@@ -45,6 +52,8 @@ namespace swimtwin
     std::vector<std::string> parameter_names() const override;
     Eigen::Vector2d          value_T(double phase, const Eigen::VectorXd &parameters) const override;
     Eigen::Matrix2Xd         slopes(double phase, const Eigen::VectorXd &parameters) const override;
+    void                     pull_back(double phase, const Eigen::VectorXd &parameters, const Eigen::Vector2d &by_field,
+                                       Eigen::Ref<Eigen::VectorXd> by_parameters) const override;
     std::vector<double>      kinks() const override { return phases_; }
 
   private:

@@ -116,6 +116,12 @@ namespace swimtwin
     ++n_jacobians;
   }
 
+  const RateDerivatives &PhaseEquations::derivatives(const double phase, const State &state)
+  {
+    differentiate(phase, state);
+    return derivatives_;
+  }
+
   void PhaseEquations::jacobian(const double phase, const State &state, Eigen::Ref<Eigen::MatrixXd> jacobian)
   {
     differentiate(phase, state);

@@ -30,12 +30,15 @@ namespace swimtwin
     void rate(double phase, const State &state, Vector rate);
     void jacobian(double phase, const State &state, Eigen::Ref<Eigen::MatrixXd> jacobian);
     void sensitivity_rate(double phase, const State &state, int parameter, const State &sensitivity, Vector rate);
+    /// Rate and its derivatives by state, field and parameters, per second; valid until the next call.
+    const RateDerivatives &derivatives(double phase, const State &state);
     /// Work of the field and dissipation per phase (J/m).
     void power(double phase, const State &state, Vector power);
 
     /// Everything about the present instant: rate, powers, field.
     const SwimmerMotion &motion(double phase, const State &state);
     Eigen::Vector2d      field_T(const double phase) const { return drive_.field->value_T(phase, drive_.parameters); }
+    const Drive         &drive() const { return drive_; }
     double               elastic_energy_J_m(const State &state) const;
     /// Energy (J/m) that the field can give or take: moment times field, the scale of all work.
     double work_scale_J_m() const;

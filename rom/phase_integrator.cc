@@ -1,15 +1,12 @@
+#include <rom/integration_failure.h>
 #include <rom/phase_integrator.h>
-
-#include <fmt/format.h>
-
-#include <algorithm>
+#include <rom/state_scale.h>
 
 namespace swimtwin
 {
   namespace
   {
-    constexpr int    n_powers          = 2;    // magnetic, dissipation
-    constexpr double stroke_per_length = 0.03; // of a swimmer's shape and of its path in a period
+    constexpr int n_powers = 2; // magnetic, dissipation
 
     PhaseEquations &equations(void *data)
     {
@@ -50,28 +47,6 @@ namespace swimtwin
     }
 
     void ignore_message(int, const char *, const char *, char *, void *) {}
-
-    std::string cause(const int flag, const long max_steps)
-    {
-      switch (flag)
-      {
-      case CV_TOO_MUCH_WORK:
-        return fmt::format("more than {} steps are needed", max_steps);
-      case CV_ERR_FAILURE:
-        return "the error per step stays above the tolerance for the smallest step";
-      case CV_CONV_FAILURE:
-        return "Newton's method does not converge for the smallest step";
-      case CV_TOO_MUCH_ACC:
-        return "the tolerance is below what double precision allows";
-      case CV_RHSFUNC_FAIL:
-      case CV_FIRST_RHSFUNC_ERR:
-      case CV_REPTD_RHSFUNC_ERR:
-      case CV_LSETUP_FAIL:
-        return "a rate is not finite: the motion leaves what the model can describe";
-      default:
-        return "CVODES gives up";
-      }
-    }
   } // namespace
 
   PhaseIntegrator::PhaseIntegrator(const ReducedSwimmer &swimmer, const IntegratorOptions &options)
@@ -86,8 +61,7 @@ namespace swimtwin
     const double rtol = options_.relative_tolerance;
     void        *cv   = integrator_.get();
     N_VConst(0., state_.get());
-    sundials::values(tolerance_.get()).setConstant(rtol * stroke_per_length * swimmer.length_m());
-    sundials::values(tolerance_.get())[2] = rtol;
+    sundials::values(tolerance_.get()) = rtol * state_scale(swimmer);
     CVodeSetErrHandlerFn(cv, ignore_message, nullptr);
     CVodeInit(cv, on_rate, 0., state_.get());
     CVodeSetUserData(cv, &equations_);
@@ -172,7 +146,7 @@ namespace swimtwin
 
   std::string PhaseIntegrator::failure() const
   {
-    return flag_ >= 0 ? "" : cause(flag_, options_.max_steps);
+    return flag_ >= 0 ? "" : integration_failure(flag_, options_.max_steps);
   }
 
   Eigen::VectorXd PhaseIntegrator::state_at(const double phase)
@@ -181,6 +155,20 @@ namespace swimtwin
       return state();
     CVodeGetDky(integrator_.get(), phase, 0, sample_.get());
     return sundials::values(sample_.get());
+  }
+
+  Eigen::MatrixXd PhaseIntegrator::taylor_coefficients()
+  {
+    int order = 0;
+    CVodeGetLastOrder(integrator_.get(), &order);
+    Eigen::MatrixXd coefficients(state().size(), order + 1);
+    double          factorial = 1.;
+    for (int k = 0; k <= order; factorial *= ++k)
+    {
+      CVodeGetDky(integrator_.get(), phase_, k, sample_.get());
+      coefficients.col(k) = sundials::values(sample_.get()) / factorial;
+    }
+    return coefficients;
   }
 
   Eigen::MatrixXd PhaseIntegrator::unscaled_sensitivities() const

@@ -31,6 +31,8 @@ namespace swimtwin
     Eigen::Map<Eigen::VectorXd> state() const { return sundials::values(state_.get()); }
     /// The state at a phase within the last step.
     Eigen::VectorXd state_at(double phase);
+    /// The state within the last step as a polynomial: column k times (phase - now)^k.
+    Eigen::MatrixXd taylor_coefficients();
     /// d state / d parameter, one column each; SI.
     Eigen::MatrixXd sensitivities();
     /// The same at a phase within the last step.

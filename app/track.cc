@@ -1,0 +1,143 @@
+// Verb track: a field that leads the swimmer along a path, planned ahead or decided in real time.
+#include <app/full_order_plant.h>
+#include <app/model_card.h>
+#include <app/plots.h>
+#include <app/progress_bar.h>
+#include <app/track.h>
+#include <app/track_pictures.h>
+
+#include <datasets/error.h>
+#include <datasets/output_folder.h>
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+namespace swimtwin
+{
+  namespace
+  {
+    double now_s()
+    {
+      return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+    }
+
+    std::unique_ptr<Plant> full_order_plant(const ReducedModel &model, const TrackingGoal &goal)
+    {
+      const double steps = goal.steps_per_second / goal.options.decisions_per_second;
+      if (std::abs(steps - std::round(steps)) > 1e-9 || steps < 1.)
+        throw InputError(fmt::format("[loop] steps_per_second = {} is not a whole number of steps per decision; take a "
+                                     "multiple of decisions_per_second = {}.",
+                                     goal.steps_per_second, goal.options.decisions_per_second));
+      return make_full_order_plant(parse_scene(model.scene_text, model.scene_name + ".toml"),
+                                   {goal.steps_per_second, goal.carrier.frequency_Hz});
+    }
+
+    std::unique_ptr<Plant> make_plant(const ReducedModel &model, const ReducedSwimmer &swimmer,
+                                      const TrackingGoal &goal)
+    {
+      if (goal.plant == PlantKind::full_order)
+        return full_order_plant(model, goal);
+      return std::make_unique<ReducedPlant>(swimmer, goal.true_parameters, state_at_rest(swimmer));
+    }
+
+    TrackResult swim(const ReducedModel &model, const ReducedSwimmer &swimmer, const TrackingGoal &goal)
+    {
+      if (goal.kind == TrackingKind::path)
+        return follow_path(swimmer, goal.believed, goal.carrier, goal.path, goal.options);
+      const auto plant = make_plant(model, swimmer, goal);
+      return run_closed_loop(swimmer, goal.believed, goal.carrier, goal.path, *plant, goal.options);
+    }
+
+    std::string describe(const char *what, const TrackResult &r, const double length_m)
+    {
+      return fmt::format(
+          "  {:<18} {} after {:.4g} s; mean position {:.2f} % of a body length off the path (rms), {:.2f} % "
+          "at most; the head itself swings {:.1f} % (rms)\n",
+          what, to_string(r.status), (r.end_periods - r.start_periods) / r.plan.carrier.frequency_Hz,
+          100. * r.rms_distance_m / length_m, 100. * r.largest_distance_m / length_m, 100. * r.rms_swing_m / length_m);
+    }
+
+    void print(const TrackRecord &record, const CommonOptions &common)
+    {
+      const TrackResult &r = record.result;
+      fmt::print("{}",
+                 describe(record.goal.kind == TrackingKind::path ? "plan" : "closed loop", r, record.body_length_m));
+      if (record.replay)
+        fmt::print("{}", describe("full-order replay", *record.replay, record.body_length_m));
+      fmt::print("  {} decisions: {:.2f} ms of CPU time on average, {:.2f} ms at most, {} too late\n  results in {}\n",
+                 r.n_decisions, 1e3 * r.mean_decision_s, 1e3 * r.largest_decision_s, r.n_missed,
+                 common.output.string());
+    }
+
+    void draw(const TrackCommand &command, const TrackRecord &record)
+    {
+      std::string warning;
+      if (!command.no_picture && !record.result.instants.empty())
+        draw_pictures(command.common.output / "pictures", track_pictures(record), command.common.command_line, warning);
+      if (!warning.empty())
+        fmt::print(stderr, "swimtwin: {}\n", warning);
+    }
+
+    void write(const CommonOptions &common, const TrackRecord &record)
+    {
+      write_track_table(common.output / track_table_name, record.result);
+      write_track_field(common.output / track_field_name, record.result, record.goal.sample_rate_Hz);
+      if (record.replay)
+        write_track_table(common.output / replay_table_name, *record.replay);
+      write_track_summary(common.output / track_summary_name, record);
+    }
+  } // namespace
+
+  void track_and_report(const TrackCommand &command)
+  {
+    if (!is_speaker())
+      return;
+    const CommonOptions &common = command.common;
+    const ReducedModel   model  = read_reduced_model(find_model(command.model));
+    const Scene          scene  = parse_scene(model.scene_text, model.scene_name + ".toml");
+    const ReducedSwimmer swimmer(model);
+    TrackRecord          record;
+    record.goal            = read_tracking_goal(command.goal, model);
+    const bool has_replay  = command.with_replay && record.goal.kind == TrackingKind::path;
+    const auto replayed_on = has_replay ? full_order_plant(model, record.goal) : nullptr;
+    prepare_output_folder(common.output, {track_table_name, track_summary_name, track_field_name, replay_table_name},
+                          common.force);
+    if (!common.quiet)
+      fmt::print("{}", model_card(model));
+    const double start = now_s();
+    ProgressBar  bar(common.quiet);
+    record.goal.options.on_progress = [&](const double share) {
+      bar.show(static_cast<int>(1000. * share), 1000, static_cast<int>(1000. * share), now_s() - start);
+    };
+    record.result = swim(model, swimmer, record.goal);
+    if (has_replay)
+      record.replay = play_plan(swimmer, record.goal.believed, record.result, *replayed_on, record.goal.options);
+    record.body_length_m = swimmer.length_m();
+    record.model_file    = find_model(command.model).string();
+    record.provenance    = {SWIMTWIN_VERSION, common.command_line, scene.text,
+                            scene.hash,       utc_time_now(),      now_s() - start};
+    write(common, record);
+    draw(command, record);
+    if (!common.quiet)
+      print(record, common);
+    if (record.result.status == TrackStatus::failed)
+      throw ComputationError(record.result.message);
+  }
+
+  Work add_track(CLI::App &tool, const std::string &command_line)
+  {
+    auto  command = std::make_shared<TrackCommand>();
+    auto *verb    = tool.add_subcommand("track", "Lead the swimmer along a path, planned ahead or in closed loop");
+    verb->add_option("model", command->model, "Reduced model (model.h5), or name of a shipped one")->required();
+    verb->add_option("goal", command->goal, "Which path, which carrier, which plant (TOML)")->required();
+    add_output_options(*verb, command->common, OutputFolder::required);
+    verb->add_flag("--replay", command->with_replay, "Play the plan of a path blindly on the full-order model too");
+    verb->add_flag("--no-picture", command->no_picture, "Draw nothing");
+    command->common.command_line = command_line;
+    return [command] { track_and_report(*command); };
+  }
+} // namespace swimtwin

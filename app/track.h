@@ -1,0 +1,18 @@
+// Goals of the kinds "path" and "closed-loop": swim along a path, with files and pictures.
+#pragma once
+
+#include <app/verb.h>
+
+namespace swimtwin
+{
+  struct TrackCommand
+  {
+    CommonOptions common;
+    std::string   model, goal;
+    bool          with_replay = false; ///< play the plan of a path blindly on the full-order model too
+    bool          no_picture  = false;
+  };
+
+  /// Throws InputError and ComputationError.
+  void track_and_report(const TrackCommand &command);
+} // namespace swimtwin

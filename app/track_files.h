@@ -1,0 +1,33 @@
+// The files of a swim along a path.
+#pragma once
+
+#include <control/tracking_goal.h>
+#include <datasets/provenance.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace swimtwin
+{
+  inline constexpr const char *track_table_name = "track.csv", *track_summary_name = "track.json",
+                              *track_field_name = "field.csv", *replay_table_name = "replay.csv";
+
+  struct TrackRecord
+  {
+    TrackingGoal               goal;
+    TrackResult                result;
+    std::optional<TrackResult> replay; ///< of a plan, played blindly on a full-order plant
+    double                     body_length_m = 0.;
+    std::string                model_file;
+    std::vector<std::string>   warnings;
+    Provenance                 provenance;
+  };
+
+  /// One row per decision.
+  void write_track_table(const std::filesystem::path &file, const TrackResult &result);
+  /// The field as the coils play it, from rest to the end.
+  void write_track_field(const std::filesystem::path &file, const TrackResult &result, double sample_rate_Hz);
+  void write_track_summary(const std::filesystem::path &file, const TrackRecord &record);
+} // namespace swimtwin

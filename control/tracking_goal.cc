@@ -1,0 +1,199 @@
+#include <control/tracking_goal.h>
+#include <datasets/csv_table.h>
+#include <datasets/error.h>
+#include <datasets/toml_table.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace swimtwin
+{
+  namespace
+  {
+    using namespace std::string_literals;
+
+    enum class PathShape { line, circle, square, figure_eight, waypoints };
+    constexpr std::array<std::pair<std::string_view, PathShape>, 5> shapes = {
+        {{"line", PathShape::line},
+         {"circle", PathShape::circle},
+         {"square", PathShape::square},
+         {"figure-eight", PathShape::figure_eight},
+         {"waypoints", PathShape::waypoints}}};
+    constexpr std::array<std::pair<std::string_view, TrackingKind>, 2> kinds = {
+        {{"path", TrackingKind::path}, {"closed-loop", TrackingKind::closed_loop}}};
+    constexpr std::array<std::pair<std::string_view, PlantKind>, 2> plants = {
+        {{"reduced", PlantKind::reduced}, {"full-order", PlantKind::full_order}}};
+    constexpr Range  share{0., 1., true, false, "be above 0 and at most 1"};
+    constexpr double default_bound_T = 5e-3 * std::numbers::sqrt2; // of the reference study's coils
+
+    std::vector<Eigen::Vector2d> read_waypoints(TomlTable &table)
+    {
+      std::vector<Eigen::Vector2d> points = {Eigen::Vector2d::Zero()};
+      for (std::string key = "waypoint_1_m"; table.has(key); key = fmt::format("waypoint_{}_m", points.size()))
+      {
+        std::array<double, 2> point{};
+        table.pair(key, {"m", any_number}, point);
+        points.emplace_back(point[0], point[1]);
+      }
+      return points;
+    }
+
+    Path read_path(const TomlDocument &document)
+    {
+      TomlTable             table(document, "path");
+      PathShape             shape = PathShape::line;
+      std::optional<double> size, part;
+      table.choice("shape", Need::required, shapes, shape);
+      table.number("size_m", {"m", positive, shape == PathShape::waypoints ? Need::optional : Need::required}, size);
+      table.number("length_m", {"m", positive}, part);
+      const std::vector<Eigen::Vector2d> points = read_waypoints(table);
+      table.finish();
+      if (shape == PathShape::waypoints && points.size() < 2)
+        document.refuse("path", "waypoint_1_m", "is missing; give waypoint_1_m = [x, y], waypoint_2_m and so on.");
+      const Path whole = shape == PathShape::line           ? Path::line(*size)
+                         : shape == PathShape::circle       ? Path::circle(*size)
+                         : shape == PathShape::square       ? Path::square(*size)
+                         : shape == PathShape::figure_eight ? Path::figure_eight(*size)
+                                                            : Path::through(points);
+      return part ? whole.first(*part) : whole;
+    }
+
+    void read_swimmer(const TomlDocument &document, const std::string &name, SwimmerParameters &values)
+    {
+      TomlTable table(document, name);
+      table.number("young_modulus_Pa", {"Pa", positive}, values.young_modulus_Pa);
+      table.number("viscosity_Pa_s", {"Pa s", positive}, values.viscosity_Pa_s);
+      table.number("magnetization_A_m", {"A/m", any_number}, values.magnetization_A_m);
+      table.finish();
+    }
+
+    Drive read_carrier(const TomlDocument &document, const Scene &scene)
+    {
+      const bool            is_sinusoid = scene.field.waveform() == FieldProgram::Waveform::sinusoidal;
+      const Need            need        = is_sinusoid ? Need::optional : Need::required;
+      std::optional<double> bx, by, frequency, bound;
+      TomlTable             table(document, "carrier");
+      table.number("bx_T", {"T", any_number, need}, bx);
+      table.number("by_T", {"T", any_number, need}, by);
+      table.number("frequency_Hz", {"Hz", positive, need}, frequency);
+      table.number("largest_field_T", {"T", positive}, bound);
+      table.finish();
+      const double x = bx.value_or(scene.field.bx_T()), y = by.value_or(scene.field.by_T());
+      const double limit = bound.value_or(default_bound_T), size = std::hypot(x, y);
+      if (size > limit * (1. + 1e-9))
+        document.refuse(
+            "carrier", "by_T",
+            fmt::format("makes a field of up to {:.4g} T with bx_T = {:.4g}, above largest_field_T = {:.4g}; "
+                        "lower one of them (turning the field keeps its size).",
+                        size, x, limit));
+      return make_drive(FieldProgram::sinusoidal(x, y, frequency.value_or(1. / scene.field.period_s())));
+    }
+
+    void read_follower(const TomlDocument &document, FollowerOptions &options)
+    {
+      constexpr Range horizon{1., 10., false, false, "be 1 to 10 periods"};
+      TomlTable       table(document, "follower");
+      table.number("horizon_periods", {"", horizon}, options.horizon_periods);
+      table.number("distance_scale", {"body lengths", positive}, options.distance_scale);
+      table.number("progress_scale", {"body lengths", positive}, options.progress_scale);
+      table.number("heading_scale_rad", {"rad", not_negative}, options.heading_scale_rad);
+      table.number("turn_scale_rad", {"rad", positive}, options.turn_scale_rad);
+      table.number("max_turn_rad", {"rad", positive}, options.max_turn_rad);
+      table.finish();
+    }
+
+    void read_loop(const TomlDocument &document, TrackingGoal &goal)
+    {
+      ClosedLoopOptions &options = goal.options;
+      int                seed    = static_cast<int>(options.seed);
+      TomlTable          table(document, "loop");
+      table.number("decisions_per_second", {"1/s", positive}, options.decisions_per_second);
+      table.number("deadline_s", {"s", not_negative}, options.deadline_s);
+      table.number("position_noise", {"body lengths", not_negative}, options.position_noise);
+      table.number("angle_noise_rad", {"rad", not_negative}, options.angle_noise_rad);
+      table.number("position_gain", {"", share}, options.position_gain);
+      table.number("angle_gain", {"", share}, options.angle_gain);
+      table.number("warm_up_periods", {"", not_negative}, options.warm_up_periods);
+      table.number("max_periods", {"", positive}, options.max_periods);
+      table.integer("seed", {"", not_negative}, seed);
+      table.number("sample_rate_Hz", {"Hz", positive}, goal.sample_rate_Hz);
+      table.number("steps_per_second", {"1/s", positive}, goal.steps_per_second);
+      table.choice("plant", Need::optional, plants, goal.plant);
+      table.finish();
+      options.seed = static_cast<unsigned int>(seed);
+    }
+
+    /// Whether a disc of this radius about a point stays in the domain.
+    bool is_inside(const Domain &domain, const Eigen::Vector2d &point, const double margin)
+    {
+      const Eigen::Vector2d p = point - Eigen::Vector2d(domain.center_m[0], domain.center_m[1]);
+      if (domain.shape == DomainShape::disc || domain.shape == DomainShape::annulus)
+        return p.norm() + margin <= domain.radius_m &&
+               (domain.shape == DomainShape::disc || p.norm() - margin >= domain.inner_radius_m);
+      return std::abs(p.x()) + margin <= 0.5 * domain.size_m[0] && std::abs(p.y()) + margin <= 0.5 * domain.size_m[1];
+    }
+
+    /// Along every piece of the path, not at its corners alone: a path must not lead through a wall.
+    void require_inside(const TomlDocument &document, const Path &path, const Scene &scene)
+    {
+      if (!scene.domain || scene.domain->moves_with_swimmer)
+        return;
+      const Path placed =
+          path.placed(scene.head.angle_rad + std::numbers::pi, {scene.head.center_m[0], scene.head.center_m[1]});
+      const double margin = 0.5 * std::hypot(scene.head.size_m[0], scene.head.size_m[1]);
+      const double step   = 0.5 * margin;
+      for (double arc = 0.; arc <= placed.length_m() + step; arc += step)
+        if (const Eigen::Vector2d point = placed.at(arc).point_m; !is_inside(*scene.domain, point, margin))
+          document.refuse("path", "shape",
+                          fmt::format("leads the head within {:.3g} m of a wall, or through it, at ({:.4g}, {:.4g}) m, "
+                                      "{:.4g} m after its start; shorten or move the path, or use a model without "
+                                      "walls (open-2d).",
+                                      margin, point.x(), point.y(), std::min(arc, placed.length_m())));
+    }
+  } // namespace
+
+  std::string to_string(const TrackingKind kind)
+  {
+    return kind == TrackingKind::path ? "path" : "closed-loop";
+  }
+
+  std::string to_string(const PlantKind kind)
+  {
+    return kind == PlantKind::reduced ? "reduced" : "full-order";
+  }
+
+  bool is_tracking_goal(const std::filesystem::path &file)
+  {
+    const TomlDocument document(read_text_file(file, "the goal"), file.string(), {});
+    const toml::node  *kind = document.find("kind");
+    const auto         word = kind ? kind->value<std::string>() : std::nullopt;
+    return word && (*word == "path" || *word == "closed-loop");
+  }
+
+  TrackingGoal read_tracking_goal(const std::filesystem::path &file, const ReducedModel &model)
+  {
+    const Scene  scene = parse_scene(model.scene_text, model.scene_name + ".toml");
+    TrackingGoal goal;
+    goal.text = read_text_file(file, "the goal");
+    const TomlDocument document(goal.text, file.string(), {});
+    TomlTable          top(document, "");
+    top.choice("kind", Need::required, kinds, goal.kind);
+    for (const char *table : {"path", "carrier", "follower", "loop", "swimmer", "plant"})
+      top.table(table);
+    top.finish();
+    goal.path     = read_path(document);
+    goal.carrier  = read_carrier(document, scene);
+    goal.believed = swimmer_parameters(scene);
+    read_swimmer(document, "swimmer", goal.believed);
+    goal.true_parameters = goal.believed;
+    read_swimmer(document, "plant", goal.true_parameters);
+    read_follower(document, goal.options.follower);
+    read_loop(document, goal);
+    require_inside(document, goal.path, scene);
+    const ReducedSwimmer swimmer(model);
+    require_followable(goal.path, carrier_motion(swimmer, goal.believed, goal.carrier).lever_m);
+    return goal;
+  }
+} // namespace swimtwin

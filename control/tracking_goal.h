@@ -1,0 +1,35 @@
+// A goal of the kinds "path" and "closed-loop", written in TOML: which path to swim, with which carrier, how it is led.
+#pragma once
+
+#include <control/closed_loop.h>
+#include <datasets/reduced_model.h>
+
+#include <filesystem>
+
+namespace swimtwin
+{
+  enum class TrackingKind { path, closed_loop };
+  enum class PlantKind { reduced, full_order };
+  std::string to_string(TrackingKind kind);
+  std::string to_string(PlantKind kind);
+
+  struct TrackingGoal
+  {
+    TrackingKind      kind = TrackingKind::path;
+    std::string       text;
+    Path              path = Path::line(1.); ///< in the swimmer's frame: from where it is, x ahead, y to its left
+    Drive             carrier;
+    SwimmerParameters believed, true_parameters; ///< of the model that decides, and of a reduced plant
+    ClosedLoopOptions options;
+    PlantKind         plant            = PlantKind::reduced;
+    double            steps_per_second = 40.;   ///< of a full-order plant: a whole number per decision
+    double            sample_rate_Hz   = 1000.; ///< of the coils
+  };
+
+  /// Whether the goal's `kind` is one of these. Throws InputError for a file that cannot be read.
+  bool is_tracking_goal(const std::filesystem::path &file);
+
+  /// What the file leaves out is the model's scene's. Throws InputError with file, line, key, rule and remedy; also for
+  /// a carrier above the field's bound, for a path that leaves the domain, and for one that the swimmer cannot follow.
+  TrackingGoal read_tracking_goal(const std::filesystem::path &file, const ReducedModel &model);
+} // namespace swimtwin

@@ -1,0 +1,98 @@
+#include <app/tool.h>
+#include <datasets/csv_table.h>
+#include <datasets/field_program.h>
+#include <tests/datasets/temporary_folder.h>
+
+#include <nlohmann/json.hpp>
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+namespace swimtwin
+{
+  namespace
+  {
+    struct Outcome
+    {
+      int         code = -1;
+      std::string output, errors;
+    };
+
+    /// The tool with the track verb, in this process.
+    Outcome tool(std::vector<std::string> arguments)
+    {
+      arguments.insert(arguments.begin(), "swimtwin");
+      std::vector<char *> argv;
+      for (std::string &argument : arguments)
+        argv.push_back(argument.data());
+      testing::internal::CaptureStdout();
+      testing::internal::CaptureStderr();
+      Outcome outcome;
+      outcome.code   = run_tool(static_cast<int>(argv.size()), argv.data(), {{"track", add_track}});
+      outcome.output = testing::internal::GetCapturedStdout();
+      outcome.errors = testing::internal::GetCapturedStderr();
+      return outcome;
+    }
+
+    /// On the shipped swimmer without walls, for a few periods.
+    class TrackVerb : public ::testing::Test
+    {
+    protected:
+      Outcome track(const std::string &goal, const std::vector<std::string> &options = {}) const
+      {
+        std::ofstream(folder.path / "goal.toml") << goal;
+        std::vector<std::string> arguments = {"track",
+                                              std::string(SWIMTWIN_SOURCE_DIR) + "/datasets/models/open-2d.h5",
+                                              folder.path / "goal.toml",
+                                              "--output",
+                                              results,
+                                              "--no-picture"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        return tool(arguments);
+      }
+
+      const TemporaryFolder folder;
+      const std::string     results = folder.path / "results";
+      const std::string     line    = "kind = \"path\"\n[path]\nshape = \"line\"\nsize_m = 6e-4\n"
+                                      "[loop]\ndecisions_per_second = 5.0\nsample_rate_Hz = 50.0\n";
+    };
+  } // namespace
+
+  TEST_F(TrackVerb, WritesTableFieldAndSummary)
+  {
+    const Outcome outcome = track(line);
+    ASSERT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_NE(outcome.output.find("plan               arrived"), std::string::npos) << outcome.output;
+    const CsvTable table = CsvTable::read(folder.path / "results/track.csv");
+    EXPECT_EQ(table.column_names()[0], "time_s");
+    EXPECT_GT(table.n_rows(), 10u);
+    EXPECT_GE(table.column("arc_m").back(), 4e-4);
+    const auto json = nlohmann::json::parse(content(folder.path / "results/track.json"));
+    EXPECT_EQ(json["status"], "arrived");
+    EXPECT_EQ(json["replay"], "not confirmed");
+    EXPECT_LE(json["rms_distance_body_lengths"].get<double>(), 0.03);
+    EXPECT_LE(json["largest_field_T"].get<double>(), 7.0711e-3);
+    EXPECT_FALSE(json["provenance"]["scene_hash"].get<std::string>().empty());
+  }
+
+  TEST_F(TrackVerb, FieldIsAProgramThatCanBePlayed)
+  {
+    ASSERT_EQ(track(line, {"--quiet"}).code, 0);
+    const CsvTable table = CsvTable::read(folder.path / "results/field.csv");
+    const double   end   = table.column("time_s").back() + 0.02;
+    EXPECT_EQ(FieldProgram::read_csv(folder.path / "results/field.csv", end).b_T().size(), table.n_rows());
+  }
+
+  TEST_F(TrackVerb, RefusesBadGoalsAndAMissingPlant)
+  {
+    const Outcome tight = track("kind = \"path\"\n[path]\nshape = \"circle\"\nsize_m = 1e-3\n");
+    EXPECT_EQ(tight.code, 2);
+    EXPECT_NE(tight.errors.find("than the swimmer can follow"), std::string::npos) << tight.errors;
+    const Outcome plant = track("kind = \"closed-loop\"\n[path]\nshape = \"line\"\nsize_m = 1e-3\n"
+                                "[loop]\nplant = \"full-order\"\n");
+    EXPECT_EQ(plant.code, 2);
+    EXPECT_NE(plant.errors.find("release build"), std::string::npos) << plant.errors;
+    EXPECT_FALSE(std::filesystem::exists(folder.path / "results/track.json"));
+  }
+} // namespace swimtwin

@@ -1,0 +1,92 @@
+#include <control/tracking_goal.h>
+#include <datasets/error.h>
+#include <tests/datasets/temporary_folder.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+namespace swimtwin
+{
+  namespace
+  {
+    class TrackingGoals : public ::testing::Test
+    {
+    protected:
+      static ReducedModel shipped(const std::string &name)
+      {
+        return read_reduced_model(std::string(SWIMTWIN_SOURCE_DIR) + "/datasets/models/" + name + ".h5");
+      }
+
+      std::filesystem::path file(const std::string &text) const
+      {
+        std::ofstream(folder.path / "goal.toml") << text;
+        return folder.path / "goal.toml";
+      }
+      TrackingGoal read(const std::string &text) const { return read_tracking_goal(file(text), open); }
+
+      void expect_refusal(const std::string &text, const std::string &part, const ReducedModel &model) const
+      {
+        try
+        {
+          read_tracking_goal(file(text), model);
+          ADD_FAILURE() << "accepted: " << text;
+        }
+        catch (const InputError &error)
+        {
+          EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+        }
+      }
+      void expect_refusal(const std::string &text, const std::string &part) const { expect_refusal(text, part, open); }
+
+      const TemporaryFolder folder;
+      const ReducedModel    open   = shipped("open-2d");
+      const std::string     circle = "kind = \"path\"\n[path]\nshape = \"circle\"\nsize_m = 8e-3\n";
+    };
+  } // namespace
+
+  TEST_F(TrackingGoals, TakeFromTheModelWhatTheyLeaveOut)
+  {
+    const TrackingGoal goal = read(circle);
+    EXPECT_EQ(goal.kind, TrackingKind::path);
+    EXPECT_NEAR(goal.carrier.frequency_Hz, 0.9, 1e-12);
+    EXPECT_EQ(goal.carrier.parameters, Eigen::Vector2d(5e-3, 5e-3));
+    EXPECT_EQ(goal.believed.young_modulus_Pa, 8e4);
+    EXPECT_EQ(goal.true_parameters.young_modulus_Pa, 8e4);
+  }
+
+  TEST_F(TrackingGoals, ReadWaypointsPlantAndLoop)
+  {
+    const TrackingGoal goal = read("kind = \"closed-loop\"\n[path]\nshape = \"waypoints\"\nwaypoint_1_m = [0.02, 0.0]\n"
+                                   "waypoint_2_m = [0.02, 0.03]\n[plant]\nviscosity_Pa_s = 1.7\n[loop]\nseed = 4\n"
+                                   "position_noise = 0.01\nplant = \"full-order\"\n");
+    EXPECT_NEAR(goal.path.length_m(), 0.05, 1e-15);
+    EXPECT_EQ(goal.true_parameters.viscosity_Pa_s, 1.7);
+    EXPECT_EQ(goal.believed.viscosity_Pa_s, 1.52);
+    EXPECT_EQ(goal.options.seed, 4u);
+    EXPECT_EQ(goal.plant, PlantKind::full_order);
+  }
+
+  TEST_F(TrackingGoals, AreToldFromOthers)
+  {
+    EXPECT_TRUE(is_tracking_goal(file(circle)));
+    EXPECT_FALSE(is_tracking_goal(file("[objective]\nmean_speed = 1\n")));
+  }
+
+  TEST_F(TrackingGoals, RefuseWhatCannotBe)
+  {
+    expect_refusal("kind = \"path\"\n[path]\nshape = \"circle\"\n", "size_m");
+    expect_refusal("kind = \"path\"\n[path]\nshape = \"spiral\"\nsize_m = 1\n", "spiral");
+    expect_refusal("kind = \"path\"\n[path]\nshape = \"waypoints\"\n", "waypoint_1_m");
+    expect_refusal(circle + "[carrier]\nbx_T = 6e-3\nby_T = 6e-3\n", "above largest_field_T = 0.007071");
+    expect_refusal(circle + "[loop]\nseeds = 3\n", "seeds");
+    expect_refusal("kind = \"path\"\n[path]\nshape = \"circle\"\nsize_m = 1e-3\n", "than the swimmer can follow");
+  }
+
+  TEST_F(TrackingGoals, RefusePathsThroughWalls)
+  {
+    expect_refusal("kind = \"path\"\n[path]\nshape = \"line\"\nsize_m = 0.05\n", "of a wall, or through it",
+                   shipped("reference-2d"));
+  }
+} // namespace swimtwin
