@@ -29,7 +29,7 @@ namespace swimtwin
 
   std::unique_ptr<Plant> make_full_order_plant(const Scene &, const FullOrderPlantOptions &)
   {
-    require_full_order_model("a full-order plant");
+    require_full_order_model("[loop] plant = \"full-order\"");
     return {};
   }
 
