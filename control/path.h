@@ -56,8 +56,8 @@ namespace swimtwin
     bool                         closed_ = false;
   };
 
-  /// Whether something that is led by its front at `lever_m` before its axle (docs/equations.md, "Adjoint and tracking") can keep
-  /// its front on the path, and where it cannot. `heading_rad`: of the body at the start.
+  /// Whether something that is led by its front at `lever_m` before its axle (docs/equations.md, "Adjoint and
+  /// tracking") can keep its front on the path, and where it cannot. `heading_rad`: of the body at the start.
   struct PathRequirement
   {
     bool   can_be_followed = true;

@@ -1,7 +1,7 @@
 #include <rom/adjoint_step.h>
 
-// Letters as in docs/equations.md, "Adjoint and tracking": y state, lambda its adjoint, J the derivative of dy/dphase by y, l the
-// running part of the functional, f the frequency.
+// Letters as in docs/equations.md, "Adjoint and tracking": y state, lambda its adjoint, J the derivative of dy/dphase
+// by y, l the running part of the functional, f the frequency.
 
 namespace swimtwin
 {
