@@ -199,8 +199,8 @@ namespace swimtwin
     request.drive.parameters.resize(8);
     request.drive.parameters << 5e-3, 0., 4e-3, 5e-3, 5e-3, -4e-3, 6e-3, 1e-3;
     AdjointIntegrator adjoint(swimmer, {.relative_tolerance = 1e-11});
-    EXPECT_LE(largest_error(check_adjoint(adjoint, request, Course(swimmer.length_m()),
-                                          all_parameters(request, swimmer.n_modes()))),
+    EXPECT_LE(largest_error(
+                  check_adjoint(adjoint, request, End(swimmer.length_m()), all_parameters(request, swimmer.n_modes()))),
               1e-5);
   }
 
