@@ -20,8 +20,8 @@ namespace swimtwin
     }
   } // namespace
 
-  /// A search measures violations in scales of the constraints' gradients at its start, which are small for samples where
-  /// a quantity hardly moves there.
+  /// A search measures violations in scales of the constraints' gradients at its start, which are small for samples
+  /// where a quantity hardly moves there.
   SearchOptions guarded(SearchOptions options)
   {
     constexpr double smallest_gradient = 1e-2;
