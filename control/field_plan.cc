@@ -228,6 +228,7 @@ namespace swimtwin
           result_.warnings.push_back(
               fmt::format("on a finer grid the motion exceeds a limit by {:.2g} %", 100. * best.motion_excess));
         warn_of_bounds(best);
+        warn_of_range(best);
       }
 
       /// From the heading of the search to that of the goal.
@@ -257,6 +258,20 @@ namespace swimtwin
         if (best.moves && std::isfinite(goal_.motion.shape_radius) &&
             best.largest_shape_radius > goal_.motion.shape_radius * (1. - near))
           result_.warnings.push_back("the tail bends as far as the model is trusted: what lies beyond is not known");
+      }
+
+      /// The model's shapes come from sinusoids of the trained range.
+      void warn_of_range(const PlannedField &best)
+      {
+        if (best.bx_T.empty())
+          return;
+        const Interval &bx = task_.model.range.bx_T, &by = task_.model.range.by_T;
+        if (best.largest_field_T > std::hypot(bx.high, by.high) * (1. + 1e-3) || !bx.contains(best.bx_T.front()) ||
+            best.by_T.size() > 3)
+          result_.warnings.push_back(
+              fmt::format("the model's modes come from sinusoids with bx from {:.3g} to {:.3g} T and by from {:.3g} to "
+                          "{:.3g} T, and this field is another one: say --replay to know its true gain",
+                          bx.low, bx.high, by.low, by.high));
       }
 
       const ReducedSwimmer                  swimmer_;

@@ -20,6 +20,15 @@ namespace swimtwin
     }
   } // namespace
 
+  /// A search measures violations in scales of the constraints' gradients at its start, which are small for samples
+  /// where a quantity hardly moves there.
+  SearchOptions guarded(SearchOptions options)
+  {
+    constexpr double smallest_gradient = 1e-2;
+    options.feasibility_tolerance /= smallest_gradient;
+    return options;
+  }
+
   FieldFound search_field(const FieldTask &task, const FieldVariables &variables, const FieldStart &start,
                           const FieldSearchOptions &options)
   {
@@ -39,7 +48,7 @@ namespace swimtwin
       record.note(evaluation, strokes.n_periods());
     };
     FieldFound found;
-    found.minimum   = search_minimum(problem, variables.variables(start.drive), options.search);
+    found.minimum   = search_minimum(problem, variables.variables(start.drive), guarded(options.search));
     found.n_periods = strokes.n_periods();
     found.trace     = record.trace();
     found.start     = start.state;

@@ -150,10 +150,10 @@ namespace swimtwin
     };
     FieldFound            found;
     const Eigen::VectorXd x0 = variables.variables(start.drive);
-    found.minimum            = search_minimum(problem, extended(x0, members_problem.value(x0)), options.search);
-    found.n_periods          = members_problem.n_periods();
-    found.start              = start.state;
-    found.trace              = record.trace();
+    found.minimum   = search_minimum(problem, extended(x0, members_problem.value(x0)), guarded(options.search));
+    found.n_periods = members_problem.n_periods();
+    found.start     = start.state;
+    found.trace     = record.trace();
     if (found.minimum.x.size() == 0)
       return found;
     found.minimum.x = found.minimum.x.head(variables.size()).eval();

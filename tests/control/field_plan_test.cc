@@ -44,11 +44,13 @@ namespace swimtwin
     const PlannedField &optimal = *result.find(optimal_field_name);
     EXPECT_GE(tuned.mean_speed_m_s, result.find(reference_field_name)->mean_speed_m_s);
     EXPECT_GE(optimal.mean_speed_m_s, tuned.mean_speed_m_s * (1. - 1e-5));
+    // A search allows 1e-3 scales of a limit; that of |B|^2 is a quarter at most, and |B| has half of its square.
+    constexpr double allowed = 1.3e-4;
     for (const PlannedField *field : {&tuned, &optimal})
     {
-      EXPECT_LT(field->field_excess, 1e-5);
+      EXPECT_LT(field->field_excess, allowed);
       EXPECT_LT(field->motion_excess, 0.02);
-      EXPECT_LE(field->largest_field_T, 7e-3 * (1. + 1e-5));
+      EXPECT_LE(field->largest_field_T, 7e-3 * (1. + allowed));
       EXPECT_LT(field->multipliers.front(), 0.8 * (1. + 1e-4));
       EXPECT_LE(field->kkt_residual, 1e-2) << field->name << ": " << field->message;
     }
