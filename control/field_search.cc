@@ -20,15 +20,6 @@ namespace swimtwin
     }
   } // namespace
 
-  /// A search measures violations in scales of the constraints' gradients at its start, which are small for samples
-  /// where a quantity hardly moves there.
-  SearchOptions guarded(SearchOptions options)
-  {
-    constexpr double smallest_gradient = 1e-2;
-    options.feasibility_tolerance /= smallest_gradient;
-    return options;
-  }
-
   FieldFound search_field(const FieldTask &task, const FieldVariables &variables, const FieldStart &start,
                           const FieldSearchOptions &options)
   {
@@ -37,6 +28,7 @@ namespace swimtwin
     CostRecord          record(options.search.feasibility_tolerance);
     MinimizationProblem problem = field_box(variables, task.goal);
     problem.n_constraints       = strokes.n_constraints();
+    problem.constraint_scale    = Eigen::VectorXd::Ones(problem.n_constraints); // all are relative to their limits
     problem.constraint_names    = strokes.constraint_names();
     problem.evaluate            = [&](const Eigen::VectorXd &x, const bool derivatives, Evaluation &evaluation) {
       if (options.max_periods > 0 && strokes.n_periods() >= options.max_periods)
@@ -48,7 +40,7 @@ namespace swimtwin
       record.note(evaluation, strokes.n_periods());
     };
     FieldFound found;
-    found.minimum   = search_minimum(problem, variables.variables(start.drive), guarded(options.search));
+    found.minimum   = search_minimum(problem, variables.variables(start.drive), options.search);
     found.n_periods = strokes.n_periods();
     found.trace     = record.trace();
     found.start     = start.state;

@@ -21,9 +21,6 @@ namespace swimtwin
     int           n_threads   = 0; ///< 0: as many as the machine has
   };
 
-  /// The options as a search over relative limits needs them.
-  SearchOptions guarded(SearchOptions options);
-
   /// Where a search begins: a field, and a state near its periodic motion.
   struct FieldStart
   {

@@ -142,6 +142,7 @@ namespace swimtwin
     problem.upper               = extended(problem.upper, farthest);
     problem.scale               = extended(problem.scale, step);
     problem.n_constraints       = members_problem.n_constraints();
+    problem.constraint_scale    = Eigen::VectorXd::Ones(problem.n_constraints); // all are relative to their limits
     problem.constraint_names    = members_problem.names();
     CostRecord record(options.search.feasibility_tolerance);
     problem.evaluate = [&](const Eigen::VectorXd &x, const bool derivatives, Evaluation &evaluation) {
@@ -150,10 +151,10 @@ namespace swimtwin
     };
     FieldFound            found;
     const Eigen::VectorXd x0 = variables.variables(start.drive);
-    found.minimum   = search_minimum(problem, extended(x0, members_problem.value(x0)), guarded(options.search));
-    found.n_periods = members_problem.n_periods();
-    found.start     = start.state;
-    found.trace     = record.trace();
+    found.minimum            = search_minimum(problem, extended(x0, members_problem.value(x0)), options.search);
+    found.n_periods          = members_problem.n_periods();
+    found.start              = start.state;
+    found.trace              = record.trace();
     if (found.minimum.x.size() == 0)
       return found;
     found.minimum.x = found.minimum.x.head(variables.size()).eval();

@@ -44,7 +44,7 @@ namespace swimtwin
     }
 
     /// The search, run by run. Each run has scales of its own; violations and the first-order residual are measured in
-    /// those of the first.
+    /// the problem's, or in those of the first run.
     class Search
     {
     public:
@@ -73,6 +73,8 @@ namespace swimtwin
         if (here_.evaluation.failed())
           return false;
         first_ = scales_at(variables_, here_.evaluation);
+        if (problem_.constraint_scale.size() > 0)
+          first_.constraints = problem_.constraint_scale;
         record_.set_constraint_scales(first_.constraints);
         return true;
       }

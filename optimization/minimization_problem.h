@@ -30,6 +30,8 @@ namespace swimtwin
     /// of 1 and the start's size.
     Eigen::VectorXd scale;
     int             n_constraints = 0;
+    /// Change of each constraint that matters, positive; empty: its change over the variables' scales at the start.
+    Eigen::VectorXd constraint_scale = {};
     /// Names of the constraints for messages; may be empty.
     std::vector<std::string> constraint_names = {};
     /// Sets gradient and jacobian if `derivatives`, else leaves them alone. Owned by one thread at a time.

@@ -44,8 +44,7 @@ namespace swimtwin
     const PlannedField &optimal = *result.find(optimal_field_name);
     EXPECT_GE(tuned.mean_speed_m_s, result.find(reference_field_name)->mean_speed_m_s);
     EXPECT_GE(optimal.mean_speed_m_s, tuned.mean_speed_m_s * (1. - 1e-5));
-    // A search allows 1e-3 scales of a limit; that of |B|^2 is a quarter at most, and |B| has half of its square.
-    constexpr double allowed = 1.3e-4;
+    constexpr double allowed = 1e-5;
     for (const PlannedField *field : {&tuned, &optimal})
     {
       EXPECT_LT(field->field_excess, allowed);

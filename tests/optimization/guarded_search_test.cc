@@ -158,6 +158,29 @@ namespace swimtwin
       EXPECT_FALSE(minimum.is_feasible());
     }
 
+    TEST(GuardedSearch, ViolationsAreMeasuredInTheProblemsOwnScales)
+    {
+      // Where the search starts the second constraint hardly changes: its scale from there would make a violation of
+      // 1e-9 large.
+      MinimizationProblem problem;
+      problem.lower            = Eigen::Vector2d(-2., -2.);
+      problem.upper            = Eigen::Vector2d(2., 2.);
+      problem.n_constraints    = 1;
+      problem.constraint_scale = Eigen::VectorXd::Ones(1);
+      problem.evaluate         = [](const Eigen::VectorXd &x, const bool derivatives, Evaluation &evaluation) {
+        evaluation.objective   = -x.sum();
+        evaluation.constraints = Eigen::VectorXd::Constant(1, std::pow(x.squaredNorm(), 4) - 1.);
+        if (derivatives)
+        {
+          evaluation.gradient = Eigen::Vector2d(-1., -1.);
+          evaluation.jacobian = 8. * std::pow(x.squaredNorm(), 3) * x.transpose();
+        }
+      };
+      const Minimum minimum = search_minimum(problem, Eigen::Vector2d(0.02, 0.01), options_for(SearchMethod::slsqp));
+      EXPECT_TRUE(minimum.converged()) << minimum.message;
+      EXPECT_NEAR(minimum.objective, -std::sqrt(2.), 1e-4);
+    }
+
     TEST(GuardedSearch, PointsThatCannotBeComputedAreAvoided)
     {
       MinimizationProblem problem = rosenbrock_problem();
