@@ -12,21 +12,21 @@ namespace swimtwin
     constexpr double steps_in_a_piece = 3.; // of the longest that are allowed
 
     /// Pieces that begin short at the end of the run, where shapes forget the functional fast: as long as the fastest
-    /// of them at first, then growing.
-    void grade(std::vector<double> &pieces, const double shortest)
+    /// of them at first, then growing; as far as the field's last kink, which stays the end of a piece.
+    void grade(std::vector<double> &pieces, const double shortest, const double last_kink)
     {
       const double end = pieces.back();
       pieces.pop_back();
       std::vector<double> added;
       double              length = shortest;
-      for (double phase = end - length; phase > 0.; phase -= length)
+      for (double phase = end - length; phase > last_kink; phase -= length)
       {
-        while (!pieces.empty() && pieces.back() >= phase - 0.5 * length)
+        while (!pieces.empty() && pieces.back() > last_kink && pieces.back() >= phase - 0.5 * length)
         {
           phase = std::min(phase, pieces.back());
           pieces.pop_back();
         }
-        if (phase <= 0.)
+        if (phase <= last_kink)
           break;
         added.push_back(phase);
         length *= growth;
@@ -87,6 +87,14 @@ namespace swimtwin
     return phases;
   }
 
+  double AdjointIntegrator::last_kink() const
+  {
+    for (int step = motion_.n_steps() - 2; step >= 0; --step)
+      if (motion_.ends_at_kink(step))
+        return motion_.end_of_step(step);
+    return 0.;
+  }
+
   bool AdjointIntegrator::go_forward(const RunRequest &request, const MotionFunctional &functional)
   {
     result_ = MotionGradient();
@@ -109,7 +117,8 @@ namespace swimtwin
     result_.by_field = Eigen::VectorXd::Zero(request.drive.parameters.size());
     const Eigen::MatrixXd J =
         equations_.derivatives(request.n_periods, motion_.end()).by_state / request.drive.frequency_Hz;
-    grade(pieces_, std::min(1. / J.bottomRightCorner(J.rows() - 2, J.rows() - 2).norm(), options_.max_step_periods));
+    grade(pieces_, std::min(1. / J.bottomRightCorner(J.rows() - 2, J.rows() - 2).norm(), options_.max_step_periods),
+          last_kink());
     result_.n_pieces = static_cast<int>(pieces_.size()) - 1;
     AdjointStep step(equations_, motion_, functional);
     for (std::size_t i = pieces_.size() - 1; i > 0; --i)

@@ -59,8 +59,10 @@ namespace swimtwin
   private:
     /// Of the adjoint's steps, from the start to the end.
     std::vector<double> pieces();
-    bool                go_forward(const RunRequest &request, const MotionFunctional &functional);
-    void                go_back(const RunRequest &request, const MotionFunctional &functional);
+    /// Phase of the field's last kink before the end; 0 without one.
+    double last_kink() const;
+    bool   go_forward(const RunRequest &request, const MotionFunctional &functional);
+    void   go_back(const RunRequest &request, const MotionFunctional &functional);
 
     AdjointOptions      options_;
     PhaseEquations      equations_;

@@ -199,8 +199,11 @@ namespace swimtwin
     request.drive.parameters.resize(8);
     request.drive.parameters << 5e-3, 0., 4e-3, 5e-3, 5e-3, -4e-3, 6e-3, 1e-3;
     AdjointIntegrator adjoint(swimmer, {.relative_tolerance = 1e-11});
-    EXPECT_LE(largest_error(
-                  check_adjoint(adjoint, request, End(swimmer.length_m()), all_parameters(request, swimmer.n_modes()))),
+    // The tail is large: with steps of a hundredth of the head's magnetization the differences themselves are off by
+    // 1.8e-5, falling with the fourth power of the step.
+    constexpr double step = 2.5e-3;
+    EXPECT_LE(largest_error(check_adjoint(adjoint, request, Course(swimmer.length_m()),
+                                          all_parameters(request, swimmer.n_modes()), step)),
               1e-5);
   }
 
