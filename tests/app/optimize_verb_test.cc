@@ -1,6 +1,6 @@
 #include <app/plan_files.h>
-#include <app/tool.h>
 #include <datasets/reduced_model.h>
+#include <tests/app/tool_in_process.h>
 #include <tests/datasets/temporary_folder.h>
 #include <tests/control/small_model.h>
 
@@ -8,26 +8,9 @@ namespace swimtwin
 {
   namespace
   {
-    struct Outcome
+    Outcome tool(const std::vector<std::string> &arguments)
     {
-      int         code = -1;
-      std::string output, errors;
-    };
-
-    Outcome tool(std::vector<std::string> arguments)
-    {
-      arguments.insert(arguments.begin(), "swimtwin");
-      std::vector<char *> argv;
-      for (std::string &argument : arguments)
-        argv.push_back(argument.data());
-      testing::internal::CaptureStdout();
-      testing::internal::CaptureStderr();
-      Outcome outcome;
-      outcome.code =
-          run_tool(static_cast<int>(argv.size()), argv.data(), {{"optimize", add_optimize}, {"report", add_report}});
-      outcome.output = testing::internal::GetCapturedStdout();
-      outcome.errors = testing::internal::GetCapturedStderr();
-      return outcome;
+      return run_in_process(arguments, {{"optimize", add_optimize}, {"report", add_report}});
     }
 
     const std::string a_goal = R"([objective]

@@ -1,6 +1,6 @@
-#include <app/tool.h>
 #include <datasets/csv_table.h>
 #include <datasets/field_program.h>
+#include <tests/app/tool_in_process.h>
 #include <tests/datasets/temporary_folder.h>
 
 #include <nlohmann/json.hpp>
@@ -13,26 +13,9 @@ namespace swimtwin
 {
   namespace
   {
-    struct Outcome
+    Outcome tool(const std::vector<std::string> &arguments)
     {
-      int         code = -1;
-      std::string output, errors;
-    };
-
-    /// The tool with the track verb, in this process.
-    Outcome tool(std::vector<std::string> arguments)
-    {
-      arguments.insert(arguments.begin(), "swimtwin");
-      std::vector<char *> argv;
-      for (std::string &argument : arguments)
-        argv.push_back(argument.data());
-      testing::internal::CaptureStdout();
-      testing::internal::CaptureStderr();
-      Outcome outcome;
-      outcome.code   = run_tool(static_cast<int>(argv.size()), argv.data(), {{"track", add_track}});
-      outcome.output = testing::internal::GetCapturedStdout();
-      outcome.errors = testing::internal::GetCapturedStderr();
-      return outcome;
+      return run_in_process(arguments, {{"track", add_track}});
     }
 
     /// On the shipped swimmer without walls, for a few periods.
