@@ -78,7 +78,9 @@ namespace swimtwin
       }
     if (best == 0 || best == samples_per_arc) // the neighbouring arc's, or the arc's end
     {
-      const double inward = begin + (best == 0 ? 0.25 : samples_per_arc - 0.25) * step;
+      // So near that a peak between the two is no higher than the arc's end, but for a part in 1e6 of its curvature.
+      constexpr double near   = 1e-3;
+      const double     inward = begin + (best == 0 ? near : samples_per_arc - near) * step;
       if (negative(inward) >= lowest)
         return begin + best * step;
     }

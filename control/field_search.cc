@@ -37,6 +37,8 @@ namespace swimtwin
         return;
       }
       strokes.evaluate(x, derivatives, task.sizes, evaluation);
+      // A search may miss a constraint by its tolerance; the field must not miss its limit.
+      evaluation.constraints.array() += options.search.feasibility_tolerance;
       record.note(evaluation, strokes.n_periods());
     };
     FieldFound found;
