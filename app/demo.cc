@@ -105,7 +105,6 @@ namespace swimtwin
       command.model                   = "reference-2d";
       command.goal                    = shipped_file("goals/fastest-straight-quick.toml").string();
       command.with_replay             = true;
-      command.replay.periods          = 2;
       command.replay.steps_per_period = 100;
       optimize_and_report(command);
     }

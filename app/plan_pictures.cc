@@ -141,7 +141,7 @@ namespace swimtwin
           add_bar(picture, n, field.name, field.mean_speed_m_s, 0);
       if (plan.replay)
         for (const ReplayedField &field : plan.replay->fields)
-          add_bar(picture, n, field.name + " (full order)", field.mean_speed_m_s, 1);
+          add_bar(picture, n, field.name.substr(0, field.name.find(' ')) + ", full order", field.mean_speed_m_s, 1);
       picture.set("n_bars", n);
       return picture;
     }
