@@ -10,9 +10,10 @@ namespace swimtwin
     /// The scene at rest, with a time grid and a field of our own.
     Scene steered_scene(Scene scene, const FullOrderPlantOptions &options)
     {
-      scene.field                 = FieldProgram::constant(0., 0.);
-      scene.time.period_s         = 1.;
-      scene.time.steps_per_period = static_cast<int>(std::lround(options.steps_per_second));
+      scene.field                   = FieldProgram::constant(0., 0.);
+      scene.time.period_s           = 1.;
+      scene.time.steps_per_period   = static_cast<int>(std::lround(options.steps_per_second));
+      scene.numerics.symmetric_half = SymmetricHalf::off; // the field at the start says nothing about what comes
       return scene;
     }
 
