@@ -1,25 +1,13 @@
 #include <control/cost_record.h>
 #include <control/field_search.h>
+#include <datasets/parallel_for.h>
 #include <optimization/sobol_points.h>
 
 #include <algorithm>
-#include <atomic>
-#include <exception>
 #include <limits>
-#include <thread>
 
 namespace swimtwin
 {
-  namespace
-  {
-    int n_threads(const FieldSearchOptions &options, const std::size_t n)
-    {
-      const int wanted =
-          options.n_threads > 0 ? options.n_threads : static_cast<int>(std::thread::hardware_concurrency());
-      return std::clamp(wanted, 1, static_cast<int>(n));
-    }
-  } // namespace
-
   FieldFound search_field(const FieldTask &task, const FieldVariables &variables, const FieldStart &start,
                           const FieldSearchOptions &options)
   {
@@ -57,29 +45,10 @@ namespace swimtwin
   std::vector<FieldFound> search_fields(const FieldTask &task, const FieldVariables &variables,
                                         const std::vector<FieldStart> &starts, const FieldSearchOptions &options)
   {
-    std::vector<FieldFound>         found(starts.size());
-    std::vector<std::exception_ptr> errors(starts.size());
-    std::atomic<std::size_t>        next       = 0;
-    const auto                      take_turns = [&] {
-      for (std::size_t i = next++; i < starts.size(); i = next++)
-        try
-        {
-          found[i] = search_field(task, variables, starts[i], options);
-        }
-        catch (...) // not to steer: thrown again below, in the caller's thread
-        {
-          errors[i] = std::current_exception();
-        }
-    };
-    {
-      std::vector<std::jthread> others;
-      for (int t = 1; t < n_threads(options, starts.size()); ++t)
-        others.emplace_back(take_turns);
-      take_turns();
-    }
-    for (const std::exception_ptr &error : errors)
-      if (error)
-        std::rethrow_exception(error);
+    std::vector<FieldFound> found(starts.size());
+    parallel_for(starts.size(), n_threads_for(starts.size(), options.n_threads), [&] {
+      return [&](const std::size_t i) { found[i] = search_field(task, variables, starts[i], options); };
+    });
     return found;
   }
 
