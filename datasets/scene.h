@@ -136,7 +136,7 @@ namespace swimtwin
     double             relaxation              = 0.3; ///< its first factor at a full step, before anything was learnt
     int                iqn_reused_steps        = 8;
     double             linear_tolerance        = 1e-7; ///< on the preconditioned residual, relative to the solution
-    bool               reuse_factorization     = true;
+    bool               reuse_factorization     = false;
     int                max_step_halvings       = 6;
   };
 

@@ -63,8 +63,6 @@ namespace swimtwin
           for (const auto node : mesh.cells[c])
             for (int i = 0; i < dim; ++i)
               rows.push_back(tail_row(node, i));
-          for (int k = 0; k < n_rigid<dim>; ++k)
-            rows.push_back(map_.head_row(k));
           const auto number = condensation_.add_cell(rows, tail_pairs_.weight());
           if (tail_cells_.empty())
             first_tail_cell_ = number;
@@ -79,11 +77,11 @@ namespace swimtwin
   template <int dim>
   void CoupledSystem<dim>::describe_tail()
   {
-    const auto &mesh = swimmer_.tail().mesh;
-    for (unsigned int a = 0; a < mesh.n_nodes(); ++a)
+    // Rows of the tail hold w - omega x r: elastic forces do not feel the head's rotation, and the matrix is symmetric.
+    for (unsigned int a = 0; a < swimmer_.tail().mesh.n_nodes(); ++a)
       for (int c = 0; c < dim; ++c)
         if (swimmer_.is_clamped(a))
-          map_.tie_to_head(tail_row(a, c), c, mesh.nodes[a]);
+          map_.tie(tail_row(a, c), {map_.head_row(c)});
     tie_linear_tail(map_, swimmer_,
                     [this](const unsigned int node, const unsigned int c) { return tail_row(node, c); });
   }
@@ -98,8 +96,18 @@ namespace swimtwin
         if (node < 0)
           map_.tie_to_head(fluid_->surface_row(k, c), c, swimmer_.surface_at_rest(k));
         else
-          map_.tie(fluid_->surface_row(k, c), {tail_row(node, c)});
+          map_.tie_and_turn(fluid_->surface_row(k, c), tail_row(node, c), c, swimmer_.surface_at_rest(k));
       }
+  }
+
+  template <int dim>
+  void CoupledSystem<dim>::move_surface(const Configuration<dim> &configuration)
+  {
+    for (unsigned int k = 0; fluid_ && k < swimmer_.n_surface_nodes(); ++k)
+      if (const int node = swimmer_.tail_node(k); node >= 0)
+        for (int c = 0; c < dim; ++c)
+          map_.move_on_head(fluid_->surface_row(k, c), swimmer_.surface_at_rest(k) + configuration.shape[node]);
+    map_.set_rotation(configuration.pose.rotation());
   }
 
   template <int dim>
@@ -118,7 +126,7 @@ namespace swimtwin
   template <int dim>
   bool CoupledSystem<dim>::solve(const LinearizationPoint<dim> &point, std::vector<double> &unknowns)
   {
-    map_.set_rotation(point.configuration.pose.rotation());
+    move_surface(point.configuration);
     if (fluid_)
       fluid_->set_wall_velocities(map_, point.time_s);
     condensation_.reset();
@@ -142,86 +150,73 @@ namespace swimtwin
   }
 
   template <int dim>
-  void CoupledSystem<dim>::linearize_tail_cell(const unsigned int cell, const LinearizationPoint<dim> &point,
-                                               const NodalField<dim> &w, TailCellSystem &system) const
+  typename CoupledSystem<dim>::TailCellSystem
+  CoupledSystem<dim>::linearize_tail_cell(const unsigned int cell, const LinearizationPoint<dim> &point) const
   {
-    constexpr unsigned int                 n      = ElasticTail<dim>::n_cell_dofs;
-    const auto                            &mesh   = swimmer_.tail().mesh;
-    const auto                            &nodes  = mesh.cells[cell];
-    const Tensor<2, dim>                   R      = point.configuration.pose.rotation();
-    auto                                  &matrix = system.matrix;
+    // Internal forces on the geometry x_k, linear in the velocities v = U + R_k d' of the cell's nodes:
+    // R_k f(d) ~ R_k (f(d_k) + slope K (R_k^T v - d'_k)); what all nodes have in common, U, changes nothing.
+    constexpr unsigned int                 n     = ElasticTail<dim>::n_cell_dofs;
+    const auto                            &nodes = swimmer_.tail().mesh.cells[cell];
+    const Tensor<2, dim>                   R     = point.configuration.pose.rotation();
+    TailCellSystem                         system;
     typename ElasticTail<dim>::CellForce   force;
     typename ElasticTail<dim>::CellTangent K;
     swimmer_.elasticity().cell_force_and_tangent(cell, point.configuration.shape, force, K);
-
-    for (auto &row : matrix)
-      row.fill(0.);
-    for (unsigned int b = 0; b < nodes.size(); ++b)
-    {
-      for (int j = 0; j < dim; ++j)
-        system.velocity[b * dim + j] = w[nodes[b]][j];
-      if (swimmer_.is_clamped(nodes[b]))
-        continue; // its shape never changes
-      const Tensor<1, dim> r = mesh.nodes[nodes[b]] + point.configuration.shape[nodes[b]];
-      for (unsigned int a = 0; a < nodes.size(); ++a)
-      {
-        Tensor<2, dim> block;
-        for (int i = 0; i < dim; ++i)
-          for (int j = 0; j < dim; ++j)
-            block[i][j] = K[a * dim + i][b * dim + j];
-        block                            = point.slope_weight * (R * block);
-        const Tensor<2, dim> by_velocity = block * transpose(R);
-        for (int i = 0; i < dim; ++i)
-          for (int j = 0; j < dim; ++j)
-          {
-            matrix[a * dim + i][b * dim + j] += by_velocity[i][j];
-            matrix[a * dim + i][n + j] -= by_velocity[i][j];
-          }
-        for (int k = 0; k < n_rotations<dim>; ++k)
-        {
-          AngularVelocity<dim> axis;
-          axis[k]                          = 1.;
-          const Tensor<1, dim> by_rotation = block * rotational_velocity<dim>(axis, r);
-          for (int i = 0; i < dim; ++i)
-            matrix[a * dim + i][n + dim + k] -= by_rotation[i];
-        }
-      }
-    }
     for (unsigned int a = 0; a < nodes.size(); ++a)
     {
       Tensor<1, dim> f;
       for (int i = 0; i < dim; ++i)
-        f[i] = force[a * dim + i];
+        f[i] = -force[a * dim + i];
+      for (unsigned int b = 0; b < nodes.size(); ++b)
+      {
+        Tensor<2, dim> block;
+        for (int i = 0; i < dim; ++i)
+          for (int j = 0; j < dim; ++j)
+            block[i][j] = point.slope_weight * K[a * dim + i][b * dim + j];
+        f += block * point.rates.shape_rate[nodes[b]];
+        block = R * block * transpose(R);
+        for (int i = 0; i < dim; ++i)
+          for (int j = 0; j < dim; ++j)
+            system.matrix[a * dim + i][b * dim + j] = block[i][j];
+      }
       f = R * f;
       for (int i = 0; i < dim; ++i)
-        system.load[a * dim + i] =
-            std::inner_product(matrix[a * dim + i].begin(), matrix[a * dim + i].end(), system.velocity.begin(), -f[i]);
+        system.load[a * dim + i] = f[i];
     }
+    static_assert(n == TailCellSystem::size);
+    return system;
   }
 
   template <int dim>
   void CoupledSystem<dim>::assemble_tail(const LinearizationPoint<dim> &point)
   {
-    // Internal forces, linear in the velocities y = (w, U, omega) of the cell's nodes and the head, all on the geometry
-    // x_k: R_k f(d) ~ R_k (f(d_k) + K dd/dy (y - y_k)), dd = slope (R_k^T (dw - dU) - domega x (X + d_k)).
-    const NodalField<dim> w = swimmer_.tail_velocities(point.configuration, point.rates);
-    TailCellSystem        system;
-    for (int c = 0; c < dim; ++c)
-      system.velocity[ElasticTail<dim>::n_cell_dofs + c] = point.rates.velocity[c];
-    for (int k = 0; k < n_rotations<dim>; ++k)
-      system.velocity[ElasticTail<dim>::n_cell_dofs + dim + k] = point.rates.omega[k];
     for (unsigned int number = 0; number < tail_cells_.size(); ++number)
     {
-      linearize_tail_cell(tail_cells_[number], point, w, system);
+      const TailCellSystem system = linearize_tail_cell(tail_cells_[number], point);
       condensation_.add(first_tail_cell_ + number, system.matrix, system.load);
     }
     for (unsigned int a = 0; a < swimmer_.tail().mesh.n_nodes(); ++a)
-    {
-      const Tensor<1, dim> dead_load = swimmer_.load_on_tail_node(a, point.time_s);
-      for (int c = 0; c < dim; ++c)
-        if (tail_numbering_->owner(tail_numbering_->vector_index(a, c)) == rank_)
-          map_.add_load(tail_row(a, c), dead_load[c], condensation_.right_hand_side());
-    }
+      add_dead_load(a, point);
+  }
+
+  template <int dim>
+  void CoupledSystem<dim>::add_dead_load(const unsigned int node, const LinearizationPoint<dim> &point)
+  {
+    const Tensor<1, dim> load = swimmer_.load_on_tail_node(node, point.time_s);
+    const Tensor<1, dim> r =
+        point.configuration.pose.rotation() * (swimmer_.tail().mesh.nodes[node] + point.configuration.shape[node]);
+    for (int c = 0; c < dim; ++c)
+      if (tail_numbering_->owner(tail_numbering_->vector_index(node, c)) == rank_)
+      {
+        map_.add_load(tail_row(node, c), load[c], condensation_.right_hand_side());
+        for (int k = 0; k < n_rotations<dim>; ++k)
+        {
+          AngularVelocity<dim> axis;
+          axis[k] = 1.;
+          map_.add_load(map_.head_row(dim + k), rotational_velocity<dim>(axis, r)[c] * load[c],
+                        condensation_.right_hand_side());
+        }
+      }
   }
 
   template <int dim>

@@ -17,13 +17,14 @@ namespace swimtwin
     double                    area_rate = 0.; ///< that the body's surface shall have in a closed domain, m^2/s
   };
 
-  /// What was solved for, nodal.
+  /// What was solved for, nodal. The tail's velocities leave out the head's rotation, so that they are those of its
+  /// shape, in the laboratory's directions, beside the head's translation: U + R d'.
   template <int dim>
   struct CoupledVelocities
   {
     dealii::Tensor<1, dim> head_velocity;
     AngularVelocity<dim>   head_omega;
-    NodalField<dim>        tail; ///< laboratory velocities, m/s
+    NodalField<dim>        tail; ///< w - omega x R (X + d), m/s
   };
 
   /// Lives as long as the fluid's mesh (for ever without fluid), because its pattern does.
@@ -45,7 +46,7 @@ namespace swimtwin
     CoupledVelocities<dim> velocities(const std::vector<double> &unknowns) const;
     /// Unknowns with the body's velocities in their places and the fluid at rest: a guess after remeshing.
     std::vector<double> guess(const CoupledVelocities<dim> &velocities) const;
-    /// Rows' values: fluid (velocities, scaled pressures), then tail.
+    /// Rows' values: fluid (velocities, scaled pressures), then tail (without the head's rotation).
     std::vector<double> expand(const std::vector<double> &unknowns) const { return map_.expand(unknowns); }
 
     unsigned int n_unknowns() const { return map_.n_unknowns(); }
@@ -53,21 +54,22 @@ namespace swimtwin
   private:
     void describe_tail();
     void describe_surface();
+    void move_surface(const Configuration<dim> &configuration);
     void describe_mirror();
     void lay_out();
-    /// Linearised forces of one tail cell: rows and columns are its nodes' velocities, then the head's.
+    /// Linearised forces of one tail cell: rows and columns are its nodes' velocities without the head's rotation.
     struct TailCellSystem
     {
-      static constexpr unsigned int              size = ElasticTail<dim>::n_cell_dofs + n_rigid<dim>;
+      static constexpr unsigned int              size = ElasticTail<dim>::n_cell_dofs;
       std::array<std::array<double, size>, size> matrix;
-      std::array<double, size>                   load{}, velocity{};
+      std::array<double, size>                   load{};
     };
-    void         linearize_tail_cell(unsigned int cell, const LinearizationPoint<dim> &point, const NodalField<dim> &w,
-                                     TailCellSystem &system) const;
-    void         assemble_tail(const LinearizationPoint<dim> &point);
-    void         assemble_head(const LinearizationPoint<dim> &point);
-    bool         head_turns() const { return map_.n_head_unknowns() > dim; }
-    unsigned int tail_row(const unsigned int node, const unsigned int component) const
+    TailCellSystem linearize_tail_cell(unsigned int cell, const LinearizationPoint<dim> &point) const;
+    void           add_dead_load(unsigned int node, const LinearizationPoint<dim> &point);
+    void           assemble_tail(const LinearizationPoint<dim> &point);
+    void           assemble_head(const LinearizationPoint<dim> &point);
+    bool           head_turns() const { return map_.n_head_unknowns() > dim; }
+    unsigned int   tail_row(const unsigned int node, const unsigned int component) const
     {
       return n_fluid_rows_ + tail_numbering_->vector_index(node, component);
     }

@@ -83,7 +83,7 @@ namespace swimtwin
     LinearSolverOptions options;
     options.tolerance           = numerics.linear_tolerance;
     options.reuse_factorization = numerics.reuse_factorization;
-    options.nearly_symmetric    = true; // but for the turning of elastic forces with the head
+    options.symmetric           = true; // every system of the form P^T A P here is
     return options;
   }
 

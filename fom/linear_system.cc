@@ -47,6 +47,8 @@ namespace swimtwin
   {
     VecScatterDestroy(&gather_);
     VecDestroy(&gathered_);
+    VecDestroy(&correction_);
+    VecDestroy(&residual_);
     VecDestroy(&solution_);
     VecDestroy(&rhs_);
     KSPDestroy(&ksp_);
@@ -69,18 +71,17 @@ namespace swimtwin
     if (options_.positive_definite)
       check_petsc(MatSetOption(matrix_, MAT_SPD, PETSC_TRUE), "marked a matrix");
     check_petsc(MatCreateVecs(matrix_, &solution_, &rhs_), "made vectors");
+    check_petsc(VecDuplicate(solution_, &residual_), "made vectors");
+    check_petsc(VecDuplicate(solution_, &correction_), "made vectors");
     check_petsc(VecGetSize(rhs_, &size_), "sized vectors");
     check_petsc(VecScatterCreateToAll(solution_, &gather_, &gathered_), "made vectors");
 
     check_petsc(KSPCreate(communicator_, &ksp_), "made a solver");
     check_petsc(KSPSetOperators(ksp_, matrix_, matrix_), "made a solver");
-    check_petsc(KSPSetType(ksp_, options_.direct ? KSPPREONLY : KSPGMRES), "made a solver");
-    if (!options_.direct)
-    {
-      check_petsc(KSPGMRESSetRestart(ksp_, 60), "made a solver");
-      check_petsc(KSPSetInitialGuessNonzero(ksp_, PETSC_TRUE), "made a solver");
-      check_petsc(KSPConvergedDefaultSetUIRNorm(ksp_), "made a solver");
-    }
+    check_petsc(KSPSetType(ksp_, KSPGMRES), "made a solver");
+    check_petsc(KSPGMRESSetRestart(ksp_, 60), "made a solver");
+    check_petsc(KSPSetInitialGuessNonzero(ksp_, PETSC_TRUE), "made a solver");
+    check_petsc(KSPConvergedDefaultSetUIRNorm(ksp_), "made a solver");
     use_factors(ksp_, options_.positive_definite ? PCCHOLESKY : PCLU);
   }
 
@@ -88,6 +89,7 @@ namespace swimtwin
   {
     const ScopedCpuTime time(counts_.assembly_cpu_s);
     check_petsc(MatSetValuesCOO(matrix_, values.data(), INSERT_VALUES), "filled a matrix");
+    factors_are_old_ = true;
   }
 
   void LinearSystem::set_right_hand_side(const std::vector<double> &contributions)
@@ -120,6 +122,7 @@ namespace swimtwin
     check_petsc(KSPGetPC(ksp_, &pc), "factorised");
     check_petsc(PCGetFailedReason(pc, &failure), "factorised");
     has_factors_         = failure == PC_NOERROR;
+    factors_are_old_     = !has_factors_;
     solves_with_factors_ = 0;
     effort_with_factors_ = options_.factorization_effort;
     if (!has_factors_)
@@ -127,39 +130,71 @@ namespace swimtwin
     return has_factors_;
   }
 
-  bool LinearSystem::solve_with(const bool keep_factors, const int max_iterations)
+  bool LinearSystem::iterate_with_old_factors()
   {
-    if (!keep_factors && !factorize())
-      return false;
     const ScopedCpuTime time(counts_.solve_cpu_s);
     check_petsc(KSPSetReusePreconditioner(ksp_, PETSC_TRUE), "set up a solver");
     // Relative to the solution: its guess has that size. Without one the first residual has it; it also bounds from
     // below what a guess that is far too small would ask for.
     double guess_norm;
     VecNorm(solution_, NORM_2, &guess_norm);
-    const bool has_guess = guess_norm > 0. && !options_.direct;
+    const bool has_guess = guess_norm > 0.;
     check_petsc(KSPSetTolerances(ksp_, (has_guess ? 1e-3 : 1.) * tolerance_,
-                                 has_guess ? tolerance_ * guess_norm : 1e-300, 1e10, max_iterations),
+                                 has_guess ? tolerance_ * guess_norm : 1e-300, 1e10, options_.max_stale_iterations),
                 "set up a solver");
     check_petsc(KSPSolve(ksp_, rhs_, solution_), "solved");
     PetscInt           iterations;
     KSPConvergedReason reason;
     check_petsc(KSPGetIterationNumber(ksp_, &iterations), "solved");
     check_petsc(KSPGetConvergedReason(ksp_, &reason), "solved");
-    counts_.n_iterations += iterations;
     note_effort(iterations);
-    if (reason > 0 || keep_factors)
-      return reason > 0;
-    double residual, size;
-    check_petsc(KSPGetResidualNorm(ksp_, &residual), "solved");
-    VecNorm(solution_, NORM_2, &size);
-    return residual <= options_.tolerance * size;
+    return reason > 0;
+  }
+
+  double LinearSystem::residual_norm()
+  {
+    double norm;
+    check_petsc(MatResidual(matrix_, rhs_, solution_, residual_), "solved");
+    VecNorm(residual_, NORM_2, &norm);
+    return norm;
+  }
+
+  bool LinearSystem::refine()
+  {
+    // One solve with the factors is enough, and the residuals, whose rows are scaled in another way, show it. Where
+    // they do not, a correction that is itself below the tolerance is the last one, and so is one that shrinks no more:
+    // it is round-off, and no solver has a better solution.
+    constexpr int       most_corrections = 6;
+    constexpr double    scaling          = 1e3; // between shares of residuals and of errors; 300 seen
+    const double        round_off        = std::max(options_.tolerance, 1e-9); // at most
+    const ScopedCpuTime time(counts_.solve_cpu_s);
+    PC                  pc;
+    check_petsc(KSPGetPC(ksp_, &pc), "solved");
+    double before = residual_norm(), change_before = std::numeric_limits<double>::infinity();
+    for (int n = 1; n <= most_corrections; ++n)
+    {
+      double change, size;
+      check_petsc(PCApply(pc, residual_, correction_), "solved");
+      VecAXPY(solution_, 1., correction_);
+      VecNorm(correction_, NORM_2, &change);
+      VecNorm(solution_, NORM_2, &size);
+      note_effort(1);
+      const double after = residual_norm();
+      if (change <= tolerance_ * size || scaling * (after / before) * change <= tolerance_ * size)
+        return true;
+      if (!(change < .5 * change_before))
+        return change <= round_off * size;
+      before        = after;
+      change_before = change;
+    }
+    return false;
   }
 
   void LinearSystem::note_effort(const int iterations)
   {
     // Old factors have served their time when a solve costs more than the average since they were made, their making
     // included: the marginal cost then raises the mean.
+    counts_.n_iterations += iterations;
     effort_with_factors_ += iterations;
     ++solves_with_factors_;
     factors_are_worn_ = iterations * solves_with_factors_ > effort_with_factors_;
@@ -176,21 +211,24 @@ namespace swimtwin
       VecRestoreArray(solution_, &local);
     };
     load_guess();
-    bool converged = has_factors_ && options_.reuse_factorization && !factors_are_worn_ &&
-                     solve_with(true, options_.max_stale_iterations);
-    if (!converged && options_.nearly_symmetric)
+    bool converged = false;
+    if (has_factors_ && !factors_are_old_)
+      converged = refine();
+    else if (has_factors_ && options_.reuse_factorization && !factors_are_worn_)
+      converged = iterate_with_old_factors();
+    if (!converged && options_.symmetric)
     {
-      // The upper triangle alone costs half; where it is not enough, what follows takes the whole matrix.
+      // Half the work; where pivots fail it, what follows takes the whole matrix.
       use_symmetric_factors(ksp_);
       load_guess();
-      converged = factorize() && solve_with(true, options_.max_stale_iterations);
+      converged = factorize() && refine();
       if (!converged)
         use_factors(ksp_, PCLU);
     }
     if (!converged)
     {
       load_guess();
-      converged = solve_with(false, 60);
+      converged = factorize() && refine();
     }
     VecScatterBegin(gather_, solution_, gathered_, INSERT_VALUES, SCATTER_FORWARD);
     VecScatterEnd(gather_, solution_, gathered_, INSERT_VALUES, SCATTER_FORWARD);
@@ -206,6 +244,8 @@ namespace swimtwin
 
   bool LinearSystem::solve_together(std::vector<std::vector<double>> &columns)
   {
+    if (options_.symmetric)
+      use_symmetric_factors(ksp_);
     if (!factorize())
       return false;
     const ScopedCpuTime time(counts_.solve_cpu_s);

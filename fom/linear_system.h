@@ -22,8 +22,7 @@ namespace swimtwin
     int    max_stale_iterations = 12;   ///< give up on old factors after so many GMRES iterations and factorise anew
     int  factorization_effort = 8; ///< of a factorisation in GMRES iterations: 7 to 8 measured in 2D at 17,000 unknowns
     bool positive_definite    = false; ///< Cholesky instead of LU
-    bool nearly_symmetric     = false; ///< factorise the upper triangle alone, LDL^T: GMRES makes up for what it misses
-    bool direct               = false; ///< the matrix never changes: its factors are the solver, without iterations
+    bool symmetric            = false; ///< factorise the upper triangle alone, LDL^T
   };
 
   /// Matrix entries are given by rows and columns once (MatSetPreallocationCOO), then only their values change; entries
@@ -70,20 +69,26 @@ namespace swimtwin
     void clear();
     void note_effort(int iterations);
     bool factorize();
-    bool solve_with(bool keep_factors, int max_iterations);
+    bool iterate_with_old_factors();
+    /// With factors of the matrix as it is.
+    bool refine();
+    /// Of the solution as it is; leaves the residual behind.
+    double residual_norm();
 
     MPI_Comm            communicator_;
     LinearSolverOptions options_;
     LinearSolverCounts  counts_;
-    double              tolerance_ = options_.tolerance;
-    Mat                 matrix_    = nullptr;
-    Vec                 rhs_       = nullptr;
-    Vec                 solution_  = nullptr;
-    Vec                 gathered_  = nullptr;
-    VecScatter          gather_    = nullptr;
-    KSP                 ksp_       = nullptr;
+    double              tolerance_  = options_.tolerance;
+    Mat                 matrix_     = nullptr;
+    Vec                 rhs_        = nullptr;
+    Vec                 solution_   = nullptr;
+    Vec                 residual_   = nullptr;
+    Vec                 correction_ = nullptr;
+    Vec                 gathered_   = nullptr;
+    VecScatter          gather_     = nullptr;
+    KSP                 ksp_        = nullptr;
     PetscInt            size_ = 0, first_row_ = 0, last_row_ = 0;
-    bool                has_factors_ = false, factors_are_worn_ = false;
+    bool                has_factors_ = false, factors_are_old_ = true, factors_are_worn_ = false;
     int                 solves_with_factors_ = 0, effort_with_factors_ = 0;
   };
 } // namespace swimtwin

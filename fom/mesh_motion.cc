@@ -91,13 +91,6 @@ namespace swimtwin
         }
     }
 
-    LinearSolverOptions extension_options()
-    {
-      LinearSolverOptions options;
-      options.direct            = true;
-      options.positive_definite = true;
-      return options;
-    }
   } // namespace
 
   template <int dim>
@@ -105,7 +98,7 @@ namespace swimtwin
                                     const MeshMotion law, std::vector<unsigned int> moving_nodes,
                                     const std::vector<unsigned int> &still_nodes, const MirrorPairs<dim> &mirror_pairs)
       : mesh_(mesh), numbering_(numbering), moving_nodes_(std::move(moving_nodes)), map_(numbering.size(), 0, 1.),
-        condensation_(map_), system_(mesh.communicator(), extension_options())
+        condensation_(map_), system_(mesh.communicator(), {.positive_definite = true})
   {
     std::vector<char> is_unknown(numbering.size(), 0);
     for (unsigned int vertex = 0; vertex < mesh.n_vertices(); ++vertex)

@@ -59,8 +59,12 @@ namespace swimtwin
                                                        const Rates<dim>         &rates) const
   {
     if (unknowns_.empty())
-      return system_->guess({rates.velocity, rates.omega,
-                             swimmer_.has_tail() ? swimmer_.tail_velocities(configuration, rates) : NodalField<dim>()});
+    {
+      CoupledVelocities<dim> velocities{rates.velocity, rates.omega, {}};
+      for (const auto &shape_rate : rates.shape_rate)
+        velocities.tail.push_back(rates.velocity + configuration.pose.rotation() * shape_rate);
+      return system_->guess(velocities);
+    }
     return extrapolate(unknowns_, unknowns_before_, step.growth);
   }
 
@@ -73,7 +77,8 @@ namespace swimtwin
     const double       slope = step.slope_weight;
     Configuration<dim> next;
     // The velocities belong to the geometry they were solved on, w = U + omega x R (X + d) + R d' with its R and d, and
-    // turn with the body: where no wall is near, a correction of the angle then leaves nothing to iterate.
+    // turn with the body: where no wall is near, a correction of the angle then leaves nothing to iterate. The tail's
+    // leave out omega x R (X + d).
     const Tensor<2, dim> Rt = transpose(configuration.pose.rotation());
     rates.omega             = velocities.head_omega;
     next.pose.angle         = known.pose.angle + slope * rates.omega[0];
@@ -88,9 +93,7 @@ namespace swimtwin
     next.shape.resize(mesh.n_nodes());
     for (unsigned int a = 0; a < mesh.n_nodes(); ++a)
       if (!swimmer_.is_clamped(a))
-        next.shape[a] =
-            known.shape[a] + slope * (Rt * (velocities.tail[a] - velocities.head_velocity) -
-                                      rotational_velocity<dim>(rates.omega, mesh.nodes[a] + configuration.shape[a]));
+        next.shape[a] = known.shape[a] + slope * (Rt * (velocities.tail[a] - velocities.head_velocity));
     if (numerics_.tail_order == 1)
       for (unsigned int e = 0; e < mesh.edges().size(); ++e)
         next.shape[mesh.n_vertices() + e] = .5 * (next.shape[mesh.edges()[e][0]] + next.shape[mesh.edges()[e][1]]);

@@ -70,6 +70,15 @@ namespace swimtwin
   }
 
   template <int dim>
+  void MotionMap<dim>::tie_and_turn(const unsigned int row, const unsigned int without_rotation,
+                                    const unsigned int component, const Tensor<1, dim> &X)
+  {
+    tie_to_head(row, component, X);
+    tie(row, {without_rotation});
+    kind_[row] = Kind::turning;
+  }
+
+  template <int dim>
   void MotionMap<dim>::tie(const unsigned int row, std::vector<unsigned int> masters)
   {
     kind_[row]    = Kind::tied;
@@ -100,27 +109,32 @@ namespace swimtwin
         terms_.push_back({first_head_unknown() + k, k < dim ? factor : factor / length_scale_});
       break;
     case Kind::on_head: {
-      if (!head_is_free_)
-        break;
-      const auto &[component, X] = head_rows_[head_row_of_row_[row]];
-      const unsigned int first   = first_head_unknown();
-      if (component < n_head_unknowns())
-        terms_.push_back({first + component, factor});
-      if (head_stays_on_axis_)
-        break;
-      const Tensor<1, dim> r = rotation_ * X / length_scale_;
-      for (int k = 0; k < n_rotations<dim>; ++k)
-      {
-        AngularVelocity<dim> axis;
-        axis[k] = factor;
-        terms_.push_back({first + dim + k, rotational_velocity<dim>(axis, r)[component]});
-      }
+      const HeadRow &on_head = head_rows_[head_row_of_row_[row]];
+      if (on_head.component < n_head_unknowns())
+        terms_.push_back({first_head_unknown() + on_head.component, factor});
+      append_rotation(on_head, factor);
       break;
     }
     case Kind::tied:
       for (const auto master : masters_[row])
         append_terms(master, sign_[row] * factor / masters_[row].size());
       break;
+    case Kind::turning:
+      append_terms(masters_[row].front(), factor);
+      append_rotation(head_rows_[head_row_of_row_[row]], factor);
+      break;
+    }
+  }
+
+  template <int dim>
+  void MotionMap<dim>::append_rotation(const HeadRow &row, const double factor)
+  {
+    const Tensor<1, dim> r = rotation_ * row.X / length_scale_;
+    for (unsigned int k = dim; k < n_head_unknowns(); ++k)
+    {
+      AngularVelocity<dim> axis;
+      axis[k - dim] = factor;
+      terms_.push_back({first_head_unknown() + k, rotational_velocity<dim>(axis, r)[row.component]});
     }
   }
 

@@ -37,9 +37,9 @@ namespace swimtwin
   /// P as a sparse matrix with a constant part: value(row) = sum_k coefficient_k unknown_k + imposed(row).
   ///
   /// Rows are the nodal values of the fluid, then those of the tail, then the head's own velocities (m/s, rad/s). A row
-  /// is free (one unknown of its own), imposed (no unknown), tied to other rows, or moves with the head. Unknowns are
-  /// numbered by rank; the head's come last: velocities (m/s) and angular velocities times the length scale (m/s), so
-  /// that all have like size.
+  /// is free (one unknown of its own), imposed (no unknown), tied to other rows, moves with the head, or turns with it
+  /// beside what another row says. Unknowns are numbered by rank; the head's come last: velocities (m/s) and angular
+  /// velocities times the length scale (m/s), so that all have like size.
   template <int dim>
   class MotionMap
   {
@@ -57,7 +57,10 @@ namespace swimtwin
     void impose(unsigned int row);
     /// Component c of a node of the head, or clamped to it, at X in the head frame.
     void tie_to_head(unsigned int row, unsigned int component, const dealii::Tensor<1, dim> &X);
-    /// Move such a node in the head frame; any time.
+    /// Component c of a node at X in the head frame: the row of its velocity without the head's rotation, plus that.
+    void tie_and_turn(unsigned int row, unsigned int without_rotation, unsigned int component,
+                      const dealii::Tensor<1, dim> &X);
+    /// Move a node of either kind in the head frame; any time.
     void move_on_head(const unsigned int row, const dealii::Tensor<1, dim> &X)
     {
       head_rows_[head_row_of_row_[row]].X = X;
@@ -99,13 +102,14 @@ namespace swimtwin
     void add_load(unsigned int row, double load, std::vector<double> &right_hand_side) const;
 
   private:
-    enum class Kind : char { free, imposed, on_head, head, tied };
+    enum class Kind : char { free, imposed, on_head, head, tied, turning };
     struct HeadRow
     {
       unsigned int           component;
       dealii::Tensor<1, dim> X;
     };
     void append_terms(unsigned int row, double factor);
+    void append_rotation(const HeadRow &row, double factor);
     void build_terms();
 
     double                                 length_scale_;

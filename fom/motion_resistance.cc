@@ -87,7 +87,7 @@ namespace swimtwin
     public:
       SurfaceProblem(const FluidDomain<dim> &fluid, const bool closed)
           : fluid_(fluid), map_(held_surface(fluid, closed, fluid.mesh().communicator())), condensation_(map_),
-            solver_(fluid.mesh().communicator(), direct_solver())
+            solver_(fluid.mesh().communicator(), {.symmetric = true})
       {
         fluid_.add_cells(condensation_);
         condensation_.lay_out(solver_);
@@ -132,13 +132,6 @@ namespace swimtwin
       }
 
     private:
-      static LinearSolverOptions direct_solver()
-      {
-        LinearSolverOptions options;
-        options.direct = true;
-        return options;
-      }
-
       /// Rows' values: those at the surface, and the others from unknowns, if there are any yet.
       std::vector<double> values(const SurfaceVelocity<dim> &motion, const std::vector<double> *unknowns) const
       {

@@ -92,6 +92,8 @@ namespace swimtwin
       if (scene.numerics.reuse_factorization)
         plan.skipped.push_back(
             {"factorisations", "old factors precondition GMRES while that is cheaper than new ones"});
+      else
+        plan.skipped.push_back({"half of every factorisation", "the coupled matrix is symmetric"});
       if (is_partitioned(scene))
         plan.solved.push_back(
             {"coupling",

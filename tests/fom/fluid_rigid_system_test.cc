@@ -1,5 +1,5 @@
 #include <fom/fluid_rigid_system.h>
-#include <tests/fom/shipped_scene.h>
+#include <tests/fom/bent_swimmer.h>
 
 #include <gtest/gtest.h>
 
@@ -9,47 +9,17 @@ namespace swimtwin
   {
     using namespace dealii;
 
-    /// The reference swimmer, turned, with its tail bent, and its fluid meshed around it.
     class FluidRigidSystemTest : public ::testing::Test
     {
     protected:
-      Scene scene =
-          shipped_scene("reference-2d-casefile", {"numerics.mesh_size_m=6e-4", "numerics.mesh_size_corner_m=2e-4",
-                                                  "numerics.mesh_size_far_m=4e-3", "numerics.mesh_growth=0.5"});
-      Swimmer<2>          swimmer{scene, MPI_COMM_WORLD};
-      Configuration<2>    configuration = bent();
-      FluidDomain<2>      fluid{scene,
-                           make_fluid_mesh(*scene.domain, swimmer.surface(configuration), swimmer.surface_mesh_size(),
-                                                configuration.pose, swimmer.pose_at_rest(), scene.numerics, MPI_COMM_WORLD),
-                           configuration.pose};
-      LinearSystem        solver{MPI_COMM_WORLD, tight()};
-      FluidRigidSystem<2> system{swimmer, fluid, solver, true, MPI_COMM_WORLD};
-      NodalField<2>       shape_rate = bending_rate();
-
-      static LinearSolverOptions tight()
-      {
-        LinearSolverOptions options;
-        options.tolerance = 1e-13;
-        return options;
-      }
-
-      Configuration<2> bent() const
-      {
-        Configuration<2> c = swimmer.configuration_at_rest();
-        c.pose.angle       = 0.4;
-        for (unsigned int a = 0; a < c.shape.size(); ++a)
-          if (!swimmer.is_clamped(a))
-            c.shape[a][1] = 10. * std::pow(swimmer.tail().mesh.nodes[a][0] - scene.head.size_m[0] / 2, 2);
-        return c;
-      }
-
-      NodalField<2> bending_rate() const
-      {
-        NodalField<2> rate = configuration.shape;
-        for (auto &v : rate)
-          v *= 5.;
-        return rate;
-      }
+      BentSwimmer          bent;
+      const Scene         &scene         = bent.scene;
+      const Swimmer<2>    &swimmer       = bent.swimmer;
+      Configuration<2>    &configuration = bent.configuration;
+      FluidDomain<2>      &fluid         = bent.fluid;
+      LinearSystem         solver{MPI_COMM_WORLD, {.tolerance = 1e-13}};
+      FluidRigidSystem<2>  system{swimmer, fluid, solver, true, MPI_COMM_WORLD};
+      const NodalField<2> &shape_rate = bent.rates.shape_rate;
     };
   } // namespace
 

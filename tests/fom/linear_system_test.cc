@@ -70,11 +70,10 @@ namespace swimtwin
 
   TEST(LinearSystem, SolvesToItsTolerance)
   {
-    for (const bool direct : {false, true})
+    for (const bool positive_definite : {false, true})
     {
       LinearSolverOptions options;
-      options.direct            = direct;
-      options.positive_definite = direct;
+      options.positive_definite = positive_definite;
       options.tolerance         = 1e-12;
       LinearSystem system(MPI_COMM_WORLD, options);
       const Chain  chain(0.);
@@ -120,14 +119,30 @@ namespace swimtwin
     EXPECT_LE(error(solution), 1e-12 * n * n);
   }
 
-  // A term that is not symmetric: small, GMRES makes up for it; large, LU takes over.
+  TEST(LinearSystem, FactorsOfTheSameMatrixAreNeverMadeAgain)
+  {
+    LinearSolverOptions options;
+    options.reuse_factorization = false;
+    LinearSystem system(MPI_COMM_WORLD, options);
+    const Chain  chain(0.);
+    system.set_pattern(0, n, chain.rows, chain.columns);
+    std::vector<double> solution(n, 0.);
+    EXPECT_TRUE(solve_for_wave(system, chain, solution));
+    const double response = system.response_to_unit_load(n / 2);
+    EXPECT_GT(response, 0.);
+    EXPECT_EQ(system.counts().n_factorizations, 1);
+    EXPECT_TRUE(solve_for_wave(system, chain, solution)); // the values were set again
+    EXPECT_EQ(system.counts().n_factorizations, 2);
+  }
+
+  // A term that is not symmetric: small, corrections make up for it; large, LU takes over.
   TEST(LinearSystem, HalfOfTheMatrixServesUnlessItIsFarFromSymmetric)
   {
     for (const double skew : {0., 1e-6, 5.})
     {
       LinearSolverOptions options;
-      options.tolerance        = 1e-12;
-      options.nearly_symmetric = true;
+      options.tolerance = 1e-12;
+      options.symmetric = true;
       LinearSystem system(MPI_COMM_WORLD, options);
       Chain        chain(0.);
       for (unsigned int k = 0; k < chain.values.size(); ++k)

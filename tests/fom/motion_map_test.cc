@@ -118,6 +118,28 @@ namespace swimtwin
     EXPECT_LE((small.at(rows, 8) - .5 * (small.at(rows, 5) + small.at(rows, 7))).norm(), rounding);
   }
 
+  TYPED_TEST(MotionMapTest, TurningRowsAddTheHeadsRotationToAnotherRow)
+  {
+    constexpr int   dim = TestFixture::dimension;
+    SmallMap<dim>   small;
+    MotionMap<dim> &map = small.map;
+    const auto      row = SmallMap<dim>::row;
+    const auto      X   = small.random.template vector<dim>();
+    for (unsigned int c = 0; c < dim; ++c)
+      map.tie_and_turn(row(3, c), row(6, c), c, Tensor<1, dim>());
+    map.close(std::vector<unsigned int>(SmallMap<dim>::n_nodes * dim, 0), true, MPI_COMM_WORLD);
+    for (unsigned int c = 0; c < dim; ++c)
+      map.move_on_head(row(3, c), X);
+    map.set_rotation(small.rotation);
+    const auto           rows = map.expand(small.random_vector(map.n_unknowns()));
+    AngularVelocity<dim> omega;
+    for (int k = 0; k < n_rotations<dim>; ++k)
+      omega[k] = rows[map.head_row(dim + k)];
+    const auto expected = small.at(rows, 6) + rotational_velocity<dim>(omega, small.rotation * X);
+    EXPECT_LE((small.at(rows, 3) - expected).norm(), rounding);
+    EXPECT_GT(omega.norm(), 0.);
+  }
+
   TYPED_TEST(MotionMapTest, ImposedRowsHaveTheirValue)
   {
     constexpr int dim = TestFixture::dimension;
