@@ -14,22 +14,14 @@ namespace swimtwin
       return young_modulus / (2. * (1. + poisson_ratio));
     }
 
-    /// visit(k, i, j) for the quadratic monomials of n amplitudes, p_i p_j at index k.
-    template <typename Visitor>
-    void for_each_product(const int n, const Visitor &visit)
-    {
-      int k = n;
-      for (int i = 0; i < n; ++i)
-        for (int j = 0; j <= i; ++j)
-          visit(k++, i, j);
-    }
-
     Eigen::VectorXi monomial_parity(const Eigen::VectorXi &parity)
     {
       const int       n = static_cast<int>(parity.size());
       Eigen::VectorXi result(strain_monomial(n, n, 0));
       result.head(n) = parity;
-      for_each_product(n, [&](const int k, const int i, const int j) { result[k] = parity[i] * parity[j]; });
+      for (int i = 0, k = n; i < n; ++i)
+        for (int j = 0; j <= i; ++j)
+          result[k++] = parity[i] * parity[j];
       return result;
     }
   } // namespace
@@ -40,22 +32,36 @@ namespace swimtwin
                            shear_modulus(1., elasticity.poisson_ratio) * elasticity.gram_mu;
     gram += gram.transpose().eval();
     const Eigen::VectorXi parity = monomial_parity(tail.parity);
+    place_.resize(static_cast<std::size_t>(parity.size()));
+    int place = 0;
     for (const int sign : {1, -1})
     {
-      Block block;
+      std::vector<int> monomials;
       for (int k = 0; k < parity.size(); ++k)
         if (parity[k] == sign)
-          block.monomials.push_back(k);
-      block.gram = gram(block.monomials, block.monomials);
-      blocks_.push_back(std::move(block));
+        {
+          monomials.push_back(k);
+          place_[static_cast<std::size_t>(k)] = place++;
+        }
+      blocks_.push_back({place - static_cast<int>(monomials.size()), gram(monomials, monomials)});
     }
   }
 
-  ElasticEnergy::StrainVector ElasticEnergy::monomials(const AmplitudeVector &p)
+  template <typename Visitor>
+  void ElasticEnergy::for_each_product(const int n, const Visitor &visit) const
+  {
+    const int *place = place_.data() + n;
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j <= i; ++j)
+        visit(*place++, i, j);
+  }
+
+  ElasticEnergy::StrainVector ElasticEnergy::monomials(const AmplitudeVector &p) const
   {
     const int    n = static_cast<int>(p.size());
-    StrainVector m(strain_monomial(n, n, 0));
-    m.head(n) = p;
+    StrainVector m(static_cast<Eigen::Index>(place_.size()));
+    for (int i = 0; i < n; ++i)
+      m[place_[static_cast<std::size_t>(i)]] = p[i];
     for_each_product(n, [&](const int k, const int i, const int j) { m[k] = p[i] * p[j]; });
     return m;
   }
@@ -63,23 +69,18 @@ namespace swimtwin
   ElasticEnergy::StrainVector ElasticEnergy::stress(const StrainVector &monomials) const
   {
     StrainVector s(monomials.size());
-    for (const Block &block : blocks_)
-    {
-      const auto   n = static_cast<Eigen::Index>(block.monomials.size());
-      StrainVector m(n), part(n);
-      for (Eigen::Index k = 0; k < n; ++k)
-        m[k] = monomials[block.monomials[static_cast<std::size_t>(k)]];
-      part.noalias() = block.gram * m;
-      for (Eigen::Index k = 0; k < n; ++k)
-        s[block.monomials[static_cast<std::size_t>(k)]] = part[k];
-    }
+    for (const auto &[first, gram] : blocks_)
+      s.segment(first, gram.rows()).noalias() = gram * monomials.segment(first, gram.rows());
     return s;
   }
 
-  AmplitudeVector ElasticEnergy::gradient(const AmplitudeVector &p, const StrainVector &stress)
+  AmplitudeVector ElasticEnergy::gradient(const AmplitudeVector &p, const StrainVector &stress) const
   {
-    AmplitudeVector g = stress.head(p.size());
-    for_each_product(static_cast<int>(p.size()), [&](const int k, const int i, const int j) {
+    const int       n = static_cast<int>(p.size());
+    AmplitudeVector g(n);
+    for (int i = 0; i < n; ++i)
+      g[i] = stress[place_[static_cast<std::size_t>(i)]];
+    for_each_product(n, [&](const int k, const int i, const int j) {
       g[i] += stress[k] * p[j];
       g[j] += stress[k] * p[i];
     });
@@ -95,7 +96,7 @@ namespace swimtwin
   ShapeVector ElasticEnergy::gradient(const ShapeVector &q) const
   {
     const AmplitudeVector p = amplitudes_.value(q);
-    return amplitudes_.slopes(q).transpose() * gradient(p, stress(monomials(p)));
+    return amplitudes_.pull_back(q, gradient(p, stress(monomials(p))));
   }
 
   ShapeMatrix ElasticEnergy::hessian(const ShapeVector &q) const
@@ -106,7 +107,8 @@ namespace swimtwin
     const StrainVector    s = stress(monomials(p));
     Eigen::MatrixXd       slope(s.size(), J.cols());               // of the monomials by q
     Eigen::MatrixXd       curvature = Eigen::MatrixXd::Zero(n, n); // of the monomials by p, weighted by the stress
-    slope.topRows(n)                = J;
+    for (int i = 0; i < n; ++i)
+      slope.row(place_[static_cast<std::size_t>(i)]) = J.row(i);
     for_each_product(n, [&](const int k, const int i, const int j) {
       slope.row(k) = p[j] * J.row(i) + p[i] * J.row(j);
       curvature(i, j) += s[k];
@@ -114,10 +116,10 @@ namespace swimtwin
     });
     ShapeMatrix H = amplitudes_.curvature(gradient(p, s));
     H += J.transpose() * curvature * J;
-    for (const Block &block : blocks_)
+    for (const auto &[first, gram] : blocks_)
     {
-      const Eigen::MatrixXd part = slope(block.monomials, Eigen::all);
-      H += part.transpose() * (block.gram * part);
+      const auto part = slope.middleRows(first, gram.rows());
+      H += part.transpose() * (gram * part);
     }
     return H;
   }

@@ -19,22 +19,27 @@ namespace swimtwin
     ShapeMatrix hessian(const ShapeVector &q) const;
 
   private:
-    /// Strain monomials of one parity under the mirror: strains of different parity do no work on each other.
+    /// Strain monomials of one parity under the mirror, which stand together: strains of different parity do no work on
+    /// each other.
     struct Block
     {
-      std::vector<int> monomials;
-      Eigen::MatrixXd  gram; ///< twice that of the energy
+      int             first = 0;
+      Eigen::MatrixXd gram; ///< twice that of the energy
     };
     static constexpr int max_monomials = max_amplitudes + max_amplitudes * (max_amplitudes + 1) / 2;
     using StrainVector                 = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, max_monomials, 1>;
 
-    static StrainVector monomials(const AmplitudeVector &p);
+    /// visit(place, i, j) for the product p_i p_j of each pair of n amplitudes.
+    template <typename Visitor>
+    void         for_each_product(int n, const Visitor &visit) const;
+    StrainVector monomials(const AmplitudeVector &p) const;
     /// The energy's derivative by the monomials.
     StrainVector stress(const StrainVector &monomials) const;
     /// By the amplitudes, from that by the monomials.
-    static AmplitudeVector gradient(const AmplitudeVector &p, const StrainVector &stress);
+    AmplitudeVector gradient(const AmplitudeVector &p, const StrainVector &stress) const;
 
     ShapeAmplitudes    amplitudes_;
     std::vector<Block> blocks_;
+    std::vector<int>   place_; ///< of the amplitudes, then of their products, among the monomials
   };
 } // namespace swimtwin

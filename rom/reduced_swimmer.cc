@@ -43,7 +43,7 @@ namespace swimtwin
 
   ShapeVector ReducedSwimmer::area_gradient(const ShapeVector &q) const
   {
-    return amplitudes_.slopes(q).transpose() * area_gradient_by_amplitudes(q);
+    return amplitudes_.pull_back(q, area_gradient_by_amplitudes(q));
   }
 
   AmplitudeVector ReducedSwimmer::area_gradient_by_amplitudes(const ShapeVector &q) const
@@ -117,7 +117,7 @@ namespace swimtwin
     return f;
   }
 
-  void ReducedSwimmer::solve(const ResistanceFactor &resistance, Eigen::Ref<Eigen::MatrixXd> columns) const
+  void ReducedSwimmer::solve(const ResistanceFactor &resistance, Eigen::MatrixXd &columns) const
   {
     const auto L0 = resistance_.factor_at_rest().triangularView<Eigen::Lower>();
     const auto C  = resistance.factor.triangularView<Eigen::Lower>();
@@ -125,6 +125,16 @@ namespace swimtwin
     C.solveInPlace(columns);
     C.transpose().solveInPlace(columns);
     L0.transpose().solveInPlace(columns);
+  }
+
+  void ReducedSwimmer::solve(const ResistanceFactor &resistance, VelocityVector &column) const
+  {
+    const auto L0 = resistance_.factor_at_rest().triangularView<Eigen::Lower>();
+    const auto C  = resistance.factor.triangularView<Eigen::Lower>();
+    L0.solveInPlace(column);
+    C.solveInPlace(column);
+    C.transpose().solveInPlace(column);
+    L0.transpose().solveInPlace(column);
   }
 
   void ReducedSwimmer::set_velocity(const SwimmerState &state, const VelocityVector &force, const double viscosity,

@@ -86,7 +86,8 @@ namespace swimtwin
     /// (0, 0, 0, area gradient).
     VelocityVector area_direction(const ShapeVector &q) const;
     /// Columns of forces become columns of velocities at unit viscosity, free of the area's constraint.
-    void solve(const ResistanceFactor &resistance, Eigen::Ref<Eigen::MatrixXd> columns) const;
+    void solve(const ResistanceFactor &resistance, Eigen::MatrixXd &columns) const;
+    void solve(const ResistanceFactor &resistance, VelocityVector &column) const;
     void set_velocity(const SwimmerState &state, const VelocityVector &force, double viscosity, SwimmerMotion &motion,
                       double &pressure) const;
     void set_force_derivatives(const SwimmerState &state, const Eigen::Vector2d &field_T,

@@ -5,7 +5,8 @@ namespace swimtwin
   namespace
   {
     constexpr int max_products = max_modes * (max_modes + 1) / 2;
-  }
+    using ProductVector        = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, max_products, 1>;
+  } // namespace
 
   ShapeAmplitudes::ShapeAmplitudes(const ReducedTail &tail) : r_(tail.n_coordinates()), followers_(tail.followers) {}
 
@@ -15,7 +16,7 @@ namespace swimtwin
     p.head(r_) = q;
     if (followers_.rows() == 0)
       return p;
-    Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, max_products, 1> products(followers_.cols());
+    ProductVector products(followers_.cols());
     for (int i = 0, k = 0; i < r_; ++i)
       for (int j = 0; j <= i; ++j, ++k)
         products[k] = q[i] * q[j];
@@ -36,6 +37,22 @@ namespace swimtwin
         J.col(j).tail(followers_.rows()) += q[i] * followers_.col(k);
       }
     return J;
+  }
+
+  ShapeVector ShapeAmplitudes::pull_back(const ShapeVector &q, const AmplitudeVector &by_amplitudes) const
+  {
+    ShapeVector by_q = by_amplitudes.head(r_);
+    if (followers_.rows() == 0)
+      return by_q;
+    ProductVector by_products(followers_.cols());
+    by_products.noalias() = followers_.transpose() * by_amplitudes.tail(followers_.rows());
+    for (int i = 0, k = 0; i < r_; ++i)
+      for (int j = 0; j <= i; ++j, ++k)
+      {
+        by_q[i] += by_products[k] * q[j];
+        by_q[j] += by_products[k] * q[i];
+      }
+    return by_q;
   }
 
   ShapeMatrix ShapeAmplitudes::curvature(const AmplitudeVector &weights) const

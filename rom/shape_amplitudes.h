@@ -18,6 +18,8 @@ namespace swimtwin
     AmplitudeVector value(const ShapeVector &q) const;
     /// dp/dq, size() x r.
     AmplitudeMatrix slopes(const ShapeVector &q) const;
+    /// slopes^T by_amplitudes, without the matrix.
+    ShapeVector pull_back(const ShapeVector &q, const AmplitudeVector &by_amplitudes) const;
     /// sum_k weights_k d^2 p_k / dq^2; it does not depend on q.
     ShapeMatrix curvature(const AmplitudeVector &weights) const;
 
