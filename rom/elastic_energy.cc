@@ -32,6 +32,8 @@ namespace swimtwin
                            shear_modulus(1., elasticity.poisson_ratio) * elasticity.gram_mu;
     gram += gram.transpose().eval();
     const Eigen::VectorXi parity = monomial_parity(tail.parity);
+    const auto            signs  = parity.cast<double>().asDiagonal();
+    gram                         = (0.5 * (gram + signs * gram * signs)).eval(); // exactly zero across parities
     place_.resize(static_cast<std::size_t>(parity.size()));
     int place = 0;
     for (const int sign : {1, -1})
@@ -45,6 +47,13 @@ namespace swimtwin
         }
       blocks_.push_back({place - static_cast<int>(monomials.size()), gram(monomials, monomials)});
     }
+
+    double n_entries = 0.;
+    for (const Block &block : blocks_)
+      n_entries += static_cast<double>(block.gram.size());
+    const double n_monomials = EnergyGradient::most_monomials(tail);
+    if (n_monomials <= EnergyGradient::max_monomials && n_monomials * tail.n_coordinates() < n_entries)
+      by_coordinates_.emplace(gram, tail);
   }
 
   template <typename Visitor>
@@ -95,12 +104,16 @@ namespace swimtwin
 
   ShapeVector ElasticEnergy::gradient(const ShapeVector &q) const
   {
+    if (by_coordinates_)
+      return by_coordinates_->value(q);
     const AmplitudeVector p = amplitudes_.value(q);
     return amplitudes_.pull_back(q, gradient(p, stress(monomials(p))));
   }
 
   ShapeMatrix ElasticEnergy::hessian(const ShapeVector &q) const
   {
+    if (by_coordinates_)
+      return by_coordinates_->slopes(q);
     const AmplitudeVector p = amplitudes_.value(q);
     const AmplitudeMatrix J = amplitudes_.slopes(q);
     const int             n = static_cast<int>(p.size());

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <datasets/reduced_model.h>
+#include <rom/energy_gradient.h>
 #include <rom/shape_amplitudes.h>
 
+#include <optional>
 #include <vector>
 
 namespace swimtwin
@@ -38,8 +40,9 @@ namespace swimtwin
     /// By the amplitudes, from that by the monomials.
     AmplitudeVector gradient(const AmplitudeVector &p, const StrainVector &stress) const;
 
-    ShapeAmplitudes    amplitudes_;
-    std::vector<Block> blocks_;
-    std::vector<int>   place_; ///< of the amplitudes, then of their products, among the monomials
+    ShapeAmplitudes               amplitudes_;
+    std::optional<EnergyGradient> by_coordinates_; ///< where it is the shorter way
+    std::vector<Block>            blocks_;
+    std::vector<int>              place_; ///< of the amplitudes, then of their products, among the monomials
   };
 } // namespace swimtwin

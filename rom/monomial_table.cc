@@ -68,29 +68,31 @@ namespace swimtwin
     }
     for (const auto &[e, at] : positions)
       if (const int k = last_coordinate(e); k < 0)
-        order_.push_back({at, -1, -1});
+        constant_place_ = at;
       else
         order_.push_back({at, positions.at(parent_of(e)), k});
     for (Eigen::Index row = 0; row < exponents.rows(); ++row)
       position_of_row_.push_back(positions.at(row_of(exponents, row)));
   }
 
-  void MonomialTable::evaluate(const Eigen::VectorXd &z, Eigen::MatrixXd &values) const
+  void MonomialTable::evaluate(const Coordinates &z, Eigen::Ref<Eigen::MatrixXd> values) const
   {
-    double *const value = values.data();
+    double *const value    = values.data();
+    value[constant_place_] = 1.;
     for (const auto &[at, parent, k] : order_)
-      value[at] = parent < 0 ? 1. : value[parent] * z[k];
+      value[at] = value[parent] * z[k];
   }
 
-  void MonomialTable::evaluate_with_gradient(const Eigen::VectorXd &z, Eigen::MatrixXd &values) const
+  void MonomialTable::evaluate_with_gradient(const Coordinates &z, Eigen::Ref<Eigen::MatrixXd> values) const
   {
     evaluate(z, values);
     const double *const value = values.data();
     for (int l = 0; l < n_coordinates_; ++l)
     {
-      double *const slope = values.col(1 + l).data();
+      double *const slope    = values.col(1 + l).data();
+      slope[constant_place_] = 0.;
       for (const auto &[at, parent, k] : order_)
-        slope[at] = parent < 0 ? 0. : slope[parent] * z[k] + (k == l ? value[parent] : 0.);
+        slope[at] = slope[parent] * z[k] + (k == l ? value[parent] : 0.);
     }
   }
 } // namespace swimtwin

@@ -14,25 +14,27 @@ namespace swimtwin
     /// with `parity` -1, the product of the coordinates' parities (1 or -1) to their powers, come after all others.
     MonomialTable(const Eigen::MatrixXi &exponents, const Eigen::VectorXi &parity);
 
-    int size() const { return static_cast<int>(order_.size()); }
+    using Coordinates = Eigen::Ref<const Eigen::VectorXd>;
+
+    int size() const { return static_cast<int>(order_.size()) + 1; }
     int n_even() const { return n_even_; }
     int n_coordinates() const { return n_coordinates_; }
     /// Where the monomial of a row of `exponents` stands.
     int position_of_row(const int row) const { return position_of_row_[static_cast<std::size_t>(row)]; }
 
     /// Column 0 of `values` (size() rows) becomes the monomials at z.
-    void evaluate(const Eigen::VectorXd &z, Eigen::MatrixXd &values) const;
+    void evaluate(const Coordinates &z, Eigen::Ref<Eigen::MatrixXd> values) const;
     /// Column 0 as above; column 1 + k becomes their derivatives by z_k.
-    void evaluate_with_gradient(const Eigen::VectorXd &z, Eigen::MatrixXd &values) const;
+    void evaluate_with_gradient(const Coordinates &z, Eigen::Ref<Eigen::MatrixXd> values) const;
 
   private:
     struct Step
     {
-      int position = 0, parent = -1, coordinate = -1; ///< no parent: the constant 1
+      int position = 0, parent = 0, coordinate = 0;
     };
 
-    std::vector<Step> order_; ///< parents first
+    std::vector<Step> order_; ///< of all but the constant, parents first
     std::vector<int>  position_of_row_;
-    int               n_even_ = 0, n_coordinates_ = 0;
+    int               n_even_ = 0, n_coordinates_ = 0, constant_place_ = 0;
   };
 } // namespace swimtwin

@@ -68,5 +68,5 @@ namespace swimtwin
 
   INSTANTIATE_TEST_SUITE_P(ModesAndFollowers, Energies,
                            ::testing::Values(std::pair{1, 0}, std::pair{1, 1}, std::pair{2, 0}, std::pair{4, 3},
-                                             std::pair{8, 2}));
+                                             std::pair{8, 2}, std::pair{3, 8}));
 } // namespace swimtwin
