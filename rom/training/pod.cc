@@ -6,12 +6,6 @@
 
 namespace swimtwin
 {
-  double captured_energy(const Eigen::VectorXd &singular_values, const int k)
-  {
-    const double all = singular_values.squaredNorm();
-    return all > 0. ? singular_values.head(std::min<Eigen::Index>(k, singular_values.size())).squaredNorm() / all : 1.;
-  }
-
   PodBuilder::PodBuilder(const Eigen::SparseMatrix<double> &inner_product, const MPI_Comm communicator)
       : communicator_(communicator), n_(inner_product.rows())
   {

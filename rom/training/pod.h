@@ -14,9 +14,6 @@ namespace swimtwin
     Eigen::VectorXd singular_values; ///< of all snapshots, as many as their rank; the energy of one is its square
   };
 
-  /// Share of the snapshots' energy, the sum of squares of singular values, that the first k hold.
-  double captured_energy(const Eigen::VectorXd &singular_values, int k);
-
   /// Snapshots X = Q R with Q orthonormal in the inner product (SLEPc's basis vectors, Gram-Schmidt with
   /// refinement), then the singular value decomposition of the small factor R. The eigenvalues of the correlation
   /// matrix X^T M X would lose half the digits. Snapshots may be added file by file.

@@ -150,10 +150,4 @@ namespace swimtwin
     for (int k = 0; k < 6; ++k)
       EXPECT_NEAR(p.singular_values(k), expected[k], 1e-12 * expected[0]);
   }
-
-  TEST(Pod, EnergyIsTheSumOfSquares)
-  {
-    EXPECT_NEAR(captured_energy(Eigen::Vector3d(2., 1., 1.), 1), 4. / 6., 1e-15);
-    EXPECT_EQ(captured_energy(Eigen::Vector3d(2., 1., 1.), 7), 1.);
-  }
 } // namespace swimtwin
