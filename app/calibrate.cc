@@ -12,13 +12,13 @@
 #include <app/verb.h>
 
 #include <calibration/calibrate.h>
+#include <datasets/clocks.h>
 #include <datasets/csv_table.h>
 #include <datasets/error.h>
 #include <datasets/output_folder.h>
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cstdio>
 #include <memory>
 
@@ -26,11 +26,6 @@ namespace swimtwin
 {
   namespace
   {
-    double now_s()
-    {
-      return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-    }
-
     std::vector<ObservationSet> read_data(const CalibrateCommand &command, const CalibrationProblem &problem)
     {
       std::vector<std::filesystem::path> files(command.data.begin(), command.data.end());
@@ -58,9 +53,9 @@ namespace swimtwin
         return full_order_displacement_m(scene_of_observation(model, swimmer, field, condition.period),
                                          command.common.output / fmt::format("full-order/{}", ++n));
       };
-      const double start  = now_s();
+      const double start  = wall_time_s();
       options.on_progress = [&bar, start](const std::string &, const double done) {
-        bar.show(static_cast<int>(100 * done), 100, static_cast<int>(100 * done), now_s() - start);
+        bar.show(static_cast<int>(100 * done), 100, static_cast<int>(100 * done), wall_time_s() - start);
       };
       return options;
     }
@@ -143,13 +138,13 @@ namespace swimtwin
     const CalibrationProblem          problem = read_calibration_problem(command.problem);
     const std::vector<ObservationSet> sets    = read_data(command, problem);
     prepare_output_folder(common.output, calibration_file_names(), common.force);
-    const double      start = now_s();
+    const double      start = wall_time_s();
     CalibrationResult result;
     {
       ProgressBar bar(common.quiet);
       result = calibrate(model, problem, sets, options_of(command, model, bar));
     }
-    complete(command, model, problem, sets, now_s() - start, result);
+    complete(command, model, problem, sets, wall_time_s() - start, result);
     write_calibration_files(common.output, result, fitted_scene(model, result.swimmer, sets.front()));
     draw_and_write_page(command, result);
     for (const std::string &warning : result.warnings)

@@ -9,6 +9,7 @@
 #include <app/value_list.h>
 #include <app/verb.h>
 
+#include <datasets/clocks.h>
 #include <datasets/dimensionless_groups.h>
 #include <datasets/error.h>
 #include <datasets/output_folder.h>
@@ -16,7 +17,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <memory>
 
@@ -129,11 +129,6 @@ namespace swimtwin
       return text;
     }
 
-    double now_s()
-    {
-      return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-    }
-
     SweepOptions options_of(const SweepCommand &command, const Scene &scene, const ReducedModel &model)
     {
       SweepOptions options       = sweep_options(scene, model);
@@ -176,14 +171,14 @@ namespace swimtwin
       if (!common.quiet)
         fmt::print("{}", model_card(model));
 
-      const double start = now_s();
+      const double start = wall_time_s();
       ProgressBar  bar(common.quiet);
       const int    n_members = static_cast<int>(axes.n_members());
       options.on_progress    = [&](const std::size_t done) {
-        bar.show(static_cast<int>(done), n_members, static_cast<int>(done), now_s() - start);
+        bar.show(static_cast<int>(done), n_members, static_cast<int>(done), wall_time_s() - start);
       };
       const std::vector<SweepResult> results = sweep(model, axes, options);
-      record.wall_time_s                     = now_s() - start;
+      record.wall_time_s                     = wall_time_s() - start;
       for (const SweepResult &result : results)
         record.cpu_time_s += result.cpu_time_s;
       for (const std::string &doubt : doubts(results))

@@ -6,12 +6,12 @@
 #include <app/track.h>
 #include <app/track_pictures.h>
 
+#include <datasets/clocks.h>
 #include <datasets/error.h>
 #include <datasets/output_folder.h>
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -20,11 +20,6 @@ namespace swimtwin
 {
   namespace
   {
-    double now_s()
-    {
-      return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-    }
-
     std::unique_ptr<Plant> full_order_plant(const ReducedModel &model, const TrackingGoal &goal)
     {
       const double steps = goal.steps_per_second / goal.options.decisions_per_second;
@@ -108,10 +103,10 @@ namespace swimtwin
                           common.force);
     if (!common.quiet)
       fmt::print("{}", model_card(model));
-    const double start = now_s();
+    const double start = wall_time_s();
     ProgressBar  bar(common.quiet);
     record.goal.options.on_progress = [&](const double share) {
-      bar.show(static_cast<int>(1000. * share), 1000, static_cast<int>(1000. * share), now_s() - start);
+      bar.show(static_cast<int>(1000. * share), 1000, static_cast<int>(1000. * share), wall_time_s() - start);
     };
     record.result = swim(model, swimmer, record.goal);
     if (has_replay)
@@ -119,7 +114,7 @@ namespace swimtwin
     record.body_length_m = swimmer.length_m();
     record.model_file    = find_model(command.model).string();
     record.provenance    = {SWIMTWIN_VERSION, common.command_line, scene.text,
-                            scene.hash,       utc_time_now(),      now_s() - start};
+                            scene.hash,       utc_time_now(),      wall_time_s() - start};
     write(common, record);
     draw(command, record);
     if (!common.quiet)

@@ -2,6 +2,7 @@
 #include <calibration/full_order_check.h>
 #include <calibration/null_reading.h>
 #include <calibration/parameter_summary.h>
+#include <datasets/clocks.h>
 #include <datasets/error.h>
 #include <datasets/parallel_for.h>
 
@@ -9,7 +10,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -18,11 +18,6 @@ namespace swimtwin
   namespace
   {
     constexpr int n_posterior = 200;
-
-    double now_s()
-    {
-      return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-    }
 
     bool has_free_noise(const CalibrationProblem &problem)
     {
@@ -106,17 +101,17 @@ namespace swimtwin
 
       CalibrationResult run()
       {
-        const double start = now_s();
+        const double start = wall_time_s();
         estimate_          = fit(input_);
         describe_fit();
-        result_.fit_time_s = now_s() - start;
+        result_.fit_time_s = wall_time_s() - start;
         describe_information();
         describe_residuals();
         add_intervals();
         add_forecast();
         add_discrepancy();
         conclude();
-        result_.uncertainty_time_s = now_s() - start - result_.fit_time_s;
+        result_.uncertainty_time_s = wall_time_s() - start - result_.fit_time_s;
         return std::move(result_);
       }
 

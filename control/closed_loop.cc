@@ -1,4 +1,5 @@
 #include <control/closed_loop.h>
+#include <datasets/clocks.h>
 #include <datasets/error.h>
 #include <rom/periodic_orbit.h>
 
@@ -6,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <numbers>
 #include <optional>
 #include <random>
@@ -16,13 +16,6 @@ namespace swimtwin
   namespace
   {
     constexpr double pi = std::numbers::pi;
-
-    double cpu_time_s()
-    {
-      timespec now{};
-      clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-      return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-    }
 
     /// Sideways shift of the head when the body turns back to the field, from an angle off it.
     double shift_when_turned(const ReducedSwimmer &swimmer, const RunRequest &periodic, const double angle)
@@ -148,10 +141,10 @@ namespace swimtwin
       /// One improvement of the plan, used if it is in time.
       void decide(TrackedInstant &instant)
       {
-        const double start     = cpu_time_s();
+        const double start     = thread_cpu_time_s();
         SteeringPlan improved  = result_.plan;
         FollowerStep decision  = follower_->improve(improved, now_, now_ + interval_, state_, believed_, believed_arc_);
-        instant.decision_cpu_s = cpu_time_s() - start;
+        instant.decision_cpu_s = thread_cpu_time_s() - start;
         instant.decided =
             decision.completed && (options_.deadline_s <= 0. || instant.decision_cpu_s <= options_.deadline_s);
         if (instant.decided)

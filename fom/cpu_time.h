@@ -1,22 +1,16 @@
-// CPU time of this process, and of parts of its work.
+// CPU time of parts of the work.
 #pragma once
 
-#include <ctime>
+#include <datasets/clocks.h>
 
 namespace swimtwin
 {
-  /// Seconds, user and system, since the process started.
-  inline double cpu_seconds()
-  {
-    return double(std::clock()) / CLOCKS_PER_SEC;
-  }
-
   /// Adds the CPU time of a scope to a counter.
   class ScopedCpuTime
   {
   public:
-    explicit ScopedCpuTime(double &counter) : counter_(counter), start_(cpu_seconds()) {}
-    ~ScopedCpuTime() { counter_ += cpu_seconds() - start_; }
+    explicit ScopedCpuTime(double &counter) : counter_(counter), start_(process_cpu_time_s()) {}
+    ~ScopedCpuTime() { counter_ += process_cpu_time_s() - start_; }
     ScopedCpuTime(const ScopedCpuTime &)            = delete;
     ScopedCpuTime &operator=(const ScopedCpuTime &) = delete;
 

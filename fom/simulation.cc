@@ -5,7 +5,7 @@
 #include <datasets/output_folder.h>
 #include <datasets/run_summary_json.h>
 #include <fom/checkpoint.h>
-#include <fom/cpu_time.h>
+#include <datasets/clocks.h>
 #include <fom/field_output.h>
 #include <fom/full_order_model.h>
 #include <fom/run_plan.h>
@@ -108,7 +108,7 @@ namespace swimtwin
       void save()
       {
         const Checkpoint checkpoint{model_.state(), recorder_.rows(), recorder_.shapes(),
-                                    wall_before_ + seconds_since(start_), cpu_before_ + cpu_seconds()};
+                                    wall_before_ + seconds_since(start_), cpu_before_ + process_cpu_time_s()};
         if (is_writer_)
           write_checkpoint(checkpoint_file_, checkpoint, provenance());
       }
@@ -144,7 +144,7 @@ namespace swimtwin
         summary.n_remeshes                = counts.n_remeshes;
         summary.n_step_halvings           = counts.n_step_halvings;
         summary.wall_time_s               = wall_before_ + seconds_since(start_);
-        summary.cpu_time_s                = cpu_before_ + cpu_seconds();
+        summary.cpu_time_s                = cpu_before_ + process_cpu_time_s();
         summary.peak_memory_MB            = peak_memory_MB();
         summary.cpu_time_of_part_s        = {{"factorization", linear.factorization_cpu_s},
                                              {"krylov_solve", linear.solve_cpu_s},

@@ -1,10 +1,10 @@
+#include <datasets/clocks.h>
 #include <datasets/error.h>
 #include <datasets/parallel_for.h>
 #include <rom/sweep.h>
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <limits>
 #include <mutex>
 
@@ -17,13 +17,6 @@ namespace swimtwin
     std::size_t count(const std::vector<double> &values)
     {
       return std::max<std::size_t>(1, values.size());
-    }
-
-    double thread_cpu_time_s()
-    {
-      timespec now{};
-      clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-      return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
     }
 
     bool is_sinusoidal(const Drive &drive)

@@ -3,14 +3,13 @@
 //   bench_calibration time MODEL.h5
 //   bench_calibration bias MODEL.h5 DATA.csv E/mu M/mu    (full-order data with their noise and without it)
 #include <calibration/calibrate.h>
+#include <datasets/clocks.h>
 #include <datasets/error.h>
 #include <datasets/parallel_for.h>
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cmath>
-#include <ctime>
 #include <random>
 #include <string>
 
@@ -19,15 +18,6 @@ namespace
   using namespace swimtwin;
 
   constexpr double true_young_modulus_Pa = 8e4, true_magnetization_A_m = 1.3e5, relative_noise = 0.02;
-
-  double wall_time_s()
-  {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-  }
-  double cpu_time_s()
-  {
-    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-  }
 
   /// Frequencies of the reference field, evenly spread in their logarithm; displacements are set later.
   ObservationSet conditions(const int n, const double low_Hz, const double high_Hz)
@@ -153,14 +143,14 @@ namespace
       set.points[i].displacement_m = data.observed_m[static_cast<Eigen::Index>(i)];
       set.points[i].sigma_m        = data.sigma_m[static_cast<Eigen::Index>(i)];
     }
-    const double            wall = wall_time_s(), cpu = cpu_time_s();
+    const double            wall = wall_time_s(), cpu = process_cpu_time_s();
     const CalibrationResult result = calibrate(reduced, two_ratios(), {set}, {.n_threads = 2});
     fmt::print(
         "2 free ratios, 20 frequencies, {} starts, 2 threads: fit {:.2f} s, profiles, {} bootstrap fits, band and "
         "next experiment {:.2f} s; all {:.2f} s of wall time, {:.2f} s of CPU time\n"
         "  {} runs of the reduced swimmer, status {}\n",
         result.starts.size(), result.fit_time_s, result.bootstrap.rows(), result.uncertainty_time_s,
-        wall_time_s() - wall, cpu_time_s() - cpu, result.n_runs, result.status);
+        wall_time_s() - wall, process_cpu_time_s() - cpu, result.n_runs, result.status);
     for (const CalibratedParameter &p : result.parameters)
       if (p.role == ParameterRole::free)
         fmt::print("  {}: {:.5g}, profile {:.5g} to {:.5g}, bootstrap {:.5g} to {:.5g}\n", p.name, p.value,

@@ -1,4 +1,5 @@
 // Price and error of the adjoint beside forward sensitivities: bench_adjoint MODEL.h5
+#include <datasets/clocks.h>
 #include <datasets/error.h>
 #include <rom/adjoint_integrator.h>
 #include <rom/bspline_field.h>
@@ -8,20 +9,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 
 namespace
 {
   using namespace swimtwin;
 
   constexpr int n_periods = 5;
-
-  double cpu_time_s()
-  {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-  }
 
   /// CPU seconds: the least of several, because other processes only ever add to it.
   template <typename Action>
@@ -30,9 +23,9 @@ namespace
     double least = INFINITY;
     for (int i = 0; i < n_calls; ++i)
     {
-      const double start = cpu_time_s();
+      const double start = thread_cpu_time_s();
       action();
-      least = std::min(least, cpu_time_s() - start);
+      least = std::min(least, thread_cpu_time_s() - start);
     }
     return least;
   }

@@ -1,30 +1,17 @@
 // Times of a reduced swimmer beside its integration errors: bench_reduced MODEL.h5
+#include <datasets/clocks.h>
 #include <datasets/error.h>
 #include <rom/sweep.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <ctime>
 #include <vector>
 
 namespace
 {
   using namespace swimtwin;
-
-  double cpu_time_s()
-  {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-  }
-
-  double wall_time_s()
-  {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-  }
 
   /// CPU seconds per call: the least of several batches, because other processes only ever add to it.
   template <typename Action>
@@ -33,10 +20,10 @@ namespace
     double least = INFINITY;
     for (int batch = 0; batch < 7; ++batch)
     {
-      const double start = cpu_time_s();
+      const double start = thread_cpu_time_s();
       for (int i = 0; i < n_calls; ++i)
         action();
-      least = std::min(least, (cpu_time_s() - start) / n_calls);
+      least = std::min(least, (thread_cpu_time_s() - start) / n_calls);
     }
     return least;
   }

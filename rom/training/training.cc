@@ -3,7 +3,7 @@
 #include <datasets/dimensionless_groups.h>
 #include <datasets/error.h>
 #include <datasets/provenance.h>
-#include <fom/cpu_time.h>
+#include <datasets/clocks.h>
 #include <fom/run_recorder.h>
 #include <rom/training/basis_builder.h>
 #include <rom/training/explored_shapes.h>
@@ -213,7 +213,7 @@ namespace swimtwin
         model_.record.held_out_runs =
             compare_with_full_order(model_, scene_, spread_members(options_.range, options_.n_held_out, 200),
                                     run_options("held-out", "held-out full-order runs"), communicator_);
-        double cpu_s = cpu_seconds();
+        double cpu_s = process_cpu_time_s();
         MPI_Allreduce(MPI_IN_PLACE, &cpu_s, 1, MPI_DOUBLE, MPI_SUM, communicator_);
         model_.record.cpu_time_s = cpu_s;
       }

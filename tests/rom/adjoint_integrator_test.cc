@@ -1,3 +1,4 @@
+#include <datasets/clocks.h>
 #include <rom/adjoint_check.h>
 #include <rom/bspline_field.h>
 #include <rom/drift_gradient.h>
@@ -8,7 +9,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 
 namespace swimtwin
 {
@@ -70,13 +70,6 @@ namespace swimtwin
       return parameters;
     }
 
-    double cpu_time_s()
-    {
-      timespec now{};
-      clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-      return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-    }
-
     /// The least of several, because others share the machine.
     template <typename Work>
     double shortest_s(const Work &work)
@@ -84,9 +77,9 @@ namespace swimtwin
       double shortest = 1e300;
       for (int i = 0; i < 7; ++i)
       {
-        const double start = cpu_time_s();
+        const double start = thread_cpu_time_s();
         work();
-        shortest = std::min(shortest, cpu_time_s() - start);
+        shortest = std::min(shortest, thread_cpu_time_s() - start);
       }
       return shortest;
     }
