@@ -1,5 +1,6 @@
 #include <datasets/error.h>
 #include <rom/adjoint_check.h>
+#include <rom/state_scale.h>
 
 #include <algorithm>
 #include <cmath>
@@ -33,26 +34,6 @@ namespace swimtwin
       return request.initial_state[3 + parameter.index];
     }
 
-    double scale_of(const RunRequest &request, const Parameter &parameter, const double length_m)
-    {
-      constexpr double stroke = 0.03; // body lengths
-      RunRequest       copy   = request;
-      const double     value  = std::abs(value_of(copy, parameter));
-      switch (parameter.quantity)
-      {
-      case Quantity::field:
-        return request.drive.parameters.lpNorm<Eigen::Infinity>();
-      case Quantity::initial_angle:
-        return 1.;
-      case Quantity::initial_shape:
-        return stroke * length_m;
-      case Quantity::tail_magnetization:
-        return value > 0. ? value : std::abs(request.parameters.magnetization_A_m);
-      default:
-        return value;
-      }
-    }
-
     double value_at(AdjointIntegrator &integrator, RunRequest request, const MotionFunctional &functional,
                     const Parameter &parameter, const double change)
     {
@@ -64,6 +45,25 @@ namespace swimtwin
     }
   } // namespace
 
+  double parameter_scale(const RunRequest &request, const Parameter &parameter, const double length_m)
+  {
+    RunRequest   copy  = request;
+    const double value = std::abs(value_of(copy, parameter));
+    switch (parameter.quantity)
+    {
+    case Quantity::field:
+      return request.drive.parameters.lpNorm<Eigen::Infinity>();
+    case Quantity::initial_angle:
+      return 1.;
+    case Quantity::initial_shape:
+      return stroke_per_length * length_m;
+    case Quantity::tail_magnetization:
+      return value > 0. ? value : std::abs(request.parameters.magnetization_A_m);
+    default:
+      return value;
+    }
+  }
+
   std::vector<AdjointCheck> check_adjoint(AdjointIntegrator &integrator, const RunRequest &request,
                                           const MotionFunctional &functional, const std::vector<Parameter> &parameters,
                                           const double relative_step)
@@ -72,7 +72,7 @@ namespace swimtwin
     std::vector<AdjointCheck> checks;
     for (const Parameter &parameter : parameters)
     {
-      const double scale = scale_of(request, parameter, integrator.length_m()), h = relative_step * scale;
+      const double scale = parameter_scale(request, parameter, integrator.length_m()), h = relative_step * scale;
       const auto at = [&](const double change) { return value_at(integrator, request, functional, parameter, change); };
       const double slope = (8. * (at(h) - at(-h)) - (at(2. * h) - at(-2. * h))) / (12. * h);
       checks.push_back({parameter, gradient.by(parameter), slope, scale});

@@ -132,35 +132,11 @@ namespace swimtwin
         for (std::size_t i = 0; i < parameters.size(); ++i)
         {
           const auto   k     = static_cast<Eigen::Index>(i);
-          const double scale = scale_of(parameters[i]);
+          const double scale = parameter_scale(request, parameters[i], swimmer.length_m());
           largest            = std::max(largest, scale * std::abs(gradient.by(parameters[i]) - exact[k]));
           size               = std::max(size, scale * std::abs(exact[k]));
         }
         return largest / size;
-      }
-
-      double scale_of(const Parameter &parameter) const
-      {
-        switch (parameter.quantity)
-        {
-        case Quantity::young_modulus:
-          return request.parameters.young_modulus_Pa;
-        case Quantity::viscosity:
-          return request.parameters.viscosity_Pa_s;
-        case Quantity::magnetization:
-          return request.parameters.magnetization_A_m;
-        case Quantity::tail_magnetization:
-          return request.parameters.magnetization_A_m;
-        case Quantity::frequency:
-          return request.drive.frequency_Hz;
-        case Quantity::field:
-          return request.drive.parameters.lpNorm<Eigen::Infinity>();
-        case Quantity::initial_angle:
-          return 1.;
-        case Quantity::initial_shape:
-          return 0.03 * swimmer.length_m();
-        }
-        return 1.;
       }
     };
   } // namespace
