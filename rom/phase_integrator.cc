@@ -9,8 +9,13 @@ namespace swimtwin
     constexpr int n_powers = 2; // magnetic, dissipation
 
     // The stable wedge of order 5 is narrow: where the head swings back through the field, its steps shrink a
-    // hundredfold before CVODES thinks of another order. Order 4 takes fewer of them and leaves smaller errors.
-    constexpr int max_order = 4;
+    // hundredfold before CVODES thinks of another order. Order 4 takes fewer of them and leaves smaller errors, until
+    // tolerances are so tight that they alone keep the steps short.
+    int max_order(const double relative_tolerance)
+    {
+      constexpr double tight = 1e-9;
+      return relative_tolerance < tight ? 5 : 4;
+    }
 
     // Of the local error: what Newton leaves at CVODES' 0.1 is noise in its estimates of the error, and costs more
     // steps than a sharper solution costs iterations.
@@ -76,7 +81,7 @@ namespace swimtwin
     CVodeSVtolerances(cv, rtol, tolerance_.get());
     CVodeSetLinearSolver(cv, solver_.get(), matrix_.get());
     CVodeSetJacFn(cv, on_jacobian);
-    CVodeSetMaxOrd(cv, max_order);
+    CVodeSetMaxOrd(cv, max_order(rtol));
     CVodeSetNonlinConvCoef(cv, newton_tolerance);
     CVodeSetMaxStep(cv, options_.max_step_periods);
     if (equations_.n_parameters() > 0)
