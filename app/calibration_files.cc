@@ -58,10 +58,7 @@ namespace swimtwin
                      "undetermined", "note"});
       for (const CalibratedParameter &p : result.parameters)
       {
-        const char *role = p.role == ParameterRole::free    ? "free"
-                           : p.role == ParameterRole::fixed ? "fixed"
-                                                            : "derived";
-        table.cell(p.name).cell(std::string(role)).cell(p.value).cell(p.standard_error);
+        table.cell(p.name).cell(std::string(to_string(p.role))).cell(p.value).cell(p.standard_error);
         table.cell(p.interval().low).cell(p.interval().high).cell(p.interval().method);
         table.cell(p.undetermined ? 1 : 0).cell(p.interval().note).end_row();
       }

@@ -1,330 +1,217 @@
 #include <datasets/calibration_result.h>
 #include <datasets/csv_table.h>
 #include <datasets/error.h>
-#include <datasets/output_folder.h>
+#include <datasets/json_entries.h>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <concepts>
 
 namespace swimtwin
 {
-  namespace
+  static Json json_of(const ParameterRole role)
   {
-    using Json = nlohmann::ordered_json;
+    return to_string(role);
+  }
 
-    template <typename Type, typename Struct>
-    concept Like = std::same_as<std::remove_const_t<Type>, Struct>;
-
-    // One list of keys for both directions.
-    template <Like<CalibratedSwimmer> Type, typename Visitor>
-    void for_each_entry(Type &v, const Visitor &visit)
-    {
-      visit("young_modulus_Pa", v.young_modulus_Pa);
-      visit("viscosity_Pa_s", v.viscosity_Pa_s);
-      visit("magnetization_A_m", v.magnetization_A_m);
-      visit("field_scale", v.field_scale);
-      visit("geometry_scale", v.geometry_scale);
-      visit("displacement_offset_m", v.displacement_offset_m);
-      visit("displacement_scale", v.displacement_scale);
-      visit("noise_scale", v.noise_scale);
-    }
-    template <Like<ClaimedInterval> Type, typename Visitor>
-    void for_each_entry(Type &v, const Visitor &visit)
-    {
-      visit("method", v.method);
-      visit("low", v.low);
-      visit("high", v.high);
-      visit("note", v.note);
-    }
-    template <Like<CalibratedParameter> Type, typename Visitor>
-    void for_each_entry(Type &v, const Visitor &visit)
-    {
-      visit("name", v.name);
-      visit("role", v.role);
-      visit("logarithmic", v.logarithmic);
-      visit("value", v.value);
-      visit("standard_error", v.standard_error);
-      visit("lower", v.lower);
-      visit("upper", v.upper);
-      visit("prior_mean", v.prior_mean);
-      visit("prior_standard_deviation", v.prior_standard_deviation);
-      visit("at_bound", v.at_bound);
-      visit("undetermined", v.undetermined);
-      visit("curvature", v.curvature);
-      visit("profile", v.profile);
-      visit("bootstrap", v.bootstrap);
-    }
-    template <Like<NullDirection> Type, typename Visitor>
-    void for_each_entry(Type &v, const Visitor &visit)
-    {
-      visit("direction", v.direction);
-      visit("strength", v.strength);
-      visit("has_prior", v.has_prior);
-      visit("reading", v.reading);
-    }
-    template <Like<FitStart> Type, typename Visitor>
-    void for_each_entry(Type &v, const Visitor &visit)
-    {
-      visit("start", v.start);
-      visit("end", v.end);
-      visit("misfit_at_start", v.misfit_at_start);
-      visit("misfit", v.misfit);
-      visit("status", v.status);
-      visit("kkt_residual", v.kkt_residual);
-      visit("n_evaluations", v.n_evaluations);
-    }
-    template <Like<TraceStep> Type, typename Visitor>
-    void for_each_entry(Type &v, const Visitor &visit)
-    {
-      visit("n_evaluations", v.n_evaluations);
-      visit("misfit", v.misfit);
-    }
-    template <Like<ParameterProfile> Type, typename Visitor>
-    void for_each_entry(Type &v, const Visitor &visit)
-    {
-      visit("name", v.name);
-      visit("value", v.value);
-      visit("misfit_increase", v.misfit_increase);
-      visit("threshold", v.threshold);
-    }
-    template <Like<PredictionBand> Type, typename Visitor>
-    void for_each_entry(Type &v, const Visitor &visit)
-    {
-      visit("data_set", v.data_set);
-      visit("frequency_Hz", v.frequency_Hz);
-      visit("value", v.value);
-      visit("low", v.low);
-      visit("high", v.high);
-      visit("observation_low", v.observation_low);
-      visit("observation_high", v.observation_high);
-    }
-    template <Like<ObservationResidual> Type, typename Visitor>
-    void for_each_entry(Type &v, const Visitor &visit)
-    {
-      visit("data_set", v.data_set);
-      visit("frequency_Hz", v.frequency_Hz);
-      visit("observed", v.observed);
-      visit("sigma", v.sigma);
-      visit("predicted", v.predicted);
-      visit("model_error", v.model_error);
-      visit("standardised", v.standardised);
-      visit("weight", v.weight);
-      visit("trust", v.trust);
-    }
-    template <Like<NextExperiment> Type, typename Visitor>
-    void for_each_entry(Type &v, const Visitor &visit)
-    {
-      visit("parameter", v.parameter);
-      visit("data_set", v.data_set);
-      visit("frequency_Hz", v.frequency_Hz);
-      visit("interval_ratio", v.interval_ratio);
-      visit("information_gain", v.information_gain);
-      visit("best_frequency_Hz", v.best_frequency_Hz);
-      visit("best_interval_ratio", v.best_interval_ratio);
-      visit("most_informative_frequency_Hz", v.most_informative_frequency_Hz);
-    }
-    template <Like<FullOrderCheck> Type, typename Visitor>
-    void for_each_entry(Type &v, const Visitor &visit)
-    {
-      visit("data_set", v.data_set);
-      visit("frequency_Hz", v.frequency_Hz);
-      visit("reduced", v.reduced);
-      visit("full_order", v.full_order);
-    }
-    template <Like<ModelDiscrepancy> Type, typename Visitor>
-    void for_each_entry(Type &v, const Visitor &visit)
-    {
-      visit("relative_size", v.relative_size);
-      visit("correlation_decades", v.correlation_decades);
-      visit("origin", v.origin);
-      visit("checks", v.checks);
-      visit("moved_estimate", v.moved_estimate);
-      visit("largest_move", v.largest_move);
-      visit("verdict", v.verdict);
-    }
-    template <Like<Provenance> Type, typename Visitor>
-    void for_each_entry(Type &v, const Visitor &visit)
-    {
-      visit("program_version", v.program_version);
-      visit("command_line", v.command_line);
-      visit("scene_text", v.scene_text);
-      visit("scene_hash", v.scene_hash);
-      visit("created", v.created);
-      visit("wall_time_s", v.wall_time_s);
-    }
-    template <Like<CalibrationResult> Type, typename Visitor>
-    void for_each_entry(Type &v, const Visitor &visit)
-    {
-      visit("status", v.status);
-      visit("message", v.message);
-      visit("level", v.level);
-      visit("swimmer", v.swimmer);
-      visit("parameters", v.parameters);
-      visit("misfit", v.misfit);
-      visit("chi_squared", v.chi_squared);
-      visit("n_observations", v.n_observations);
-      visit("n_degrees_of_freedom", v.n_degrees_of_freedom);
-      visit("kkt_residual", v.kkt_residual);
-      visit("polish_step", v.polish_step);
-      visit("n_evaluations", v.n_evaluations);
-      visit("max_evaluations", v.max_evaluations);
-      visit("n_runs", v.n_runs);
-      visit("integrator_tolerance", v.integrator_tolerance);
-      visit("loss", v.loss);
-      visit("starts", v.starts);
-      visit("trace", v.trace);
-      visit("covariance", v.covariance);
-      visit("correlation", v.correlation);
-      visit("singular_values", v.singular_values);
-      visit("null_directions", v.null_directions);
-      visit("profiles", v.profiles);
-      visit("bootstrap", v.bootstrap);
-      visit("n_bootstrap_failures", v.n_bootstrap_failures);
-      visit("posterior", v.posterior);
-      visit("posterior_method", v.posterior_method);
-      visit("bands", v.bands);
-      visit("residuals", v.residuals);
-      visit("next", v.next);
-      visit("discrepancy", v.discrepancy);
-      visit("warnings", v.warnings);
-      visit("model_file", v.model_file);
-      visit("scene_name", v.scene_name);
-      visit("problem_text", v.problem_text);
-      visit("data_files", v.data_files);
-      visit("fit_time_s", v.fit_time_s);
-      visit("uncertainty_time_s", v.uncertainty_time_s);
-      visit("provenance", v.provenance);
-    }
-
-    template <typename Type>
-    concept Described = requires(Type &value)
-    {
-      for_each_entry(value, [](const char *, const auto &) {});
-    };
-
-    // Writing. Numbers that are not finite become null.
-    Json to_json(const std::string &text)
-    {
-      return text;
-    }
-    template <typename Type>
-    requires std::is_arithmetic_v<Type> Json to_json(const Type value)
-    {
-      return std::isfinite(static_cast<double>(value)) ? Json(value) : Json(nullptr);
-    }
-    Json to_json(const ParameterRole role)
-    {
-      return role == ParameterRole::free ? "free" : role == ParameterRole::fixed ? "fixed" : "derived";
-    }
-    template <Described Type>
-    Json to_json(const Type &value);
-    template <typename Type>
-    Json to_json(const std::optional<Type> &value)
-    {
-      return value ? to_json(*value) : Json(nullptr);
-    }
-    template <typename Type>
-    Json to_json(const std::vector<Type> &values)
-    {
-      Json array = Json::array();
-      for (const Type &value : values)
-        array.push_back(to_json(value));
-      return array;
-    }
-    Json to_json(const Eigen::VectorXd &values)
-    {
-      return to_json(std::vector<double>(values.begin(), values.end()));
-    }
-    Json to_json(const Eigen::MatrixXd &rows)
-    {
-      Json array = Json::array();
-      for (Eigen::Index i = 0; i < rows.rows(); ++i)
-        array.push_back(to_json(Eigen::VectorXd(rows.row(i))));
-      return array;
-    }
-    template <Described Type>
-    Json to_json(const Type &value)
-    {
-      Json object = Json::object();
-      for_each_entry(value, [&object](const char *key, const auto &member) { object[key] = to_json(member); });
-      return object;
-    }
-
-    // Reading. Null is NaN, or nothing where there may be nothing.
-    void from_json(const Json &json, std::string &text)
-    {
-      text = json.get<std::string>();
-    }
-    template <typename Type>
-    requires std::is_arithmetic_v<Type>
-    void from_json(const Json &json, Type &value)
-    {
-      if (std::is_floating_point_v<Type> && json.is_null())
-        value = std::numeric_limits<Type>::quiet_NaN();
-      else
-        value = json.get<Type>();
-    }
-    void from_json(const Json &json, ParameterRole &role)
-    {
-      const auto word = json.get<std::string>();
-      role = word == "free" ? ParameterRole::free : word == "fixed" ? ParameterRole::fixed : ParameterRole::derived;
-    }
-    template <Described Type>
-    void from_json(const Json &json, Type &value);
-    template <typename Type>
-    void from_json(const Json &json, std::optional<Type> &value)
-    {
-      value.reset();
-      if (!json.is_null())
-        from_json(json, value.emplace());
-    }
-    template <typename Type>
-    void from_json(const Json &json, std::vector<Type> &values)
-    {
-      values.clear();
-      for (const Json &entry : json)
-        from_json(entry, values.emplace_back());
-    }
-    void from_json(const Json &json, Eigen::VectorXd &values)
-    {
-      std::vector<double> list;
-      from_json(json, list);
-      values = Eigen::Map<const Eigen::VectorXd>(list.data(), static_cast<Eigen::Index>(list.size()));
-    }
-    void from_json(const Json &json, Eigen::MatrixXd &rows)
-    {
-      std::vector<Eigen::VectorXd> list;
-      for (const Json &row : json)
-        from_json(row, list.emplace_back());
-      rows.resize(static_cast<Eigen::Index>(list.size()), list.empty() ? 0 : list.front().size());
-      for (std::size_t i = 0; i < list.size(); ++i)
+  static void read_json(const Json &json, ParameterRole &role)
+  {
+    const auto word = json.get<std::string>();
+    for (const ParameterRole candidate : {ParameterRole::free, ParameterRole::fixed, ParameterRole::derived})
+      if (word == to_string(candidate))
       {
-        if (list[i].size() != rows.cols())
-          throw InputError("has rows of different lengths");
-        rows.row(static_cast<Eigen::Index>(i)) = list[i];
+        role = candidate;
+        return;
       }
-    }
-    template <Described Type>
-    void from_json(const Json &json, Type &value)
-    {
-      for_each_entry(value, [&json](const char *key, auto &member) {
-        if (!json.is_object() || !json.contains(key))
-          throw InputError(fmt::format("lacks the entry {}", key));
-        try
-        {
-          from_json(json.at(key), member);
-        }
-        catch (const Json::exception &)
-        {
-          throw InputError(fmt::format("has an entry {} of the wrong kind", key));
-        }
-      });
-    }
-  } // namespace
+    throw InputError(fmt::format("has a parameter of the unknown role {}", word));
+  }
+
+  template <Like<CalibratedSwimmer> Type, typename Visitor>
+  void for_each_entry(Type &v, const Visitor &visit)
+  {
+    visit("young_modulus_Pa", v.young_modulus_Pa);
+    visit("viscosity_Pa_s", v.viscosity_Pa_s);
+    visit("magnetization_A_m", v.magnetization_A_m);
+    visit("field_scale", v.field_scale);
+    visit("geometry_scale", v.geometry_scale);
+    visit("displacement_offset_m", v.displacement_offset_m);
+    visit("displacement_scale", v.displacement_scale);
+    visit("noise_scale", v.noise_scale);
+  }
+
+  template <Like<ClaimedInterval> Type, typename Visitor>
+  void for_each_entry(Type &v, const Visitor &visit)
+  {
+    visit("method", v.method);
+    visit("low", v.low);
+    visit("high", v.high);
+    visit("note", v.note);
+  }
+
+  template <Like<CalibratedParameter> Type, typename Visitor>
+  void for_each_entry(Type &v, const Visitor &visit)
+  {
+    visit("name", v.name);
+    visit("role", v.role);
+    visit("logarithmic", v.logarithmic);
+    visit("value", v.value);
+    visit("standard_error", v.standard_error);
+    visit("lower", v.lower);
+    visit("upper", v.upper);
+    visit("prior_mean", v.prior_mean);
+    visit("prior_standard_deviation", v.prior_standard_deviation);
+    visit("at_bound", v.at_bound);
+    visit("undetermined", v.undetermined);
+    visit("curvature", v.curvature);
+    visit("profile", v.profile);
+    visit("bootstrap", v.bootstrap);
+  }
+
+  template <Like<NullDirection> Type, typename Visitor>
+  void for_each_entry(Type &v, const Visitor &visit)
+  {
+    visit("direction", v.direction);
+    visit("strength", v.strength);
+    visit("has_prior", v.has_prior);
+    visit("reading", v.reading);
+  }
+
+  template <Like<FitStart> Type, typename Visitor>
+  void for_each_entry(Type &v, const Visitor &visit)
+  {
+    visit("start", v.start);
+    visit("end", v.end);
+    visit("misfit_at_start", v.misfit_at_start);
+    visit("misfit", v.misfit);
+    visit("status", v.status);
+    visit("kkt_residual", v.kkt_residual);
+    visit("n_evaluations", v.n_evaluations);
+  }
+
+  template <Like<TraceStep> Type, typename Visitor>
+  void for_each_entry(Type &v, const Visitor &visit)
+  {
+    visit("n_evaluations", v.n_evaluations);
+    visit("misfit", v.misfit);
+  }
+
+  template <Like<ParameterProfile> Type, typename Visitor>
+  void for_each_entry(Type &v, const Visitor &visit)
+  {
+    visit("name", v.name);
+    visit("value", v.value);
+    visit("misfit_increase", v.misfit_increase);
+    visit("threshold", v.threshold);
+  }
+
+  template <Like<PredictionBand> Type, typename Visitor>
+  void for_each_entry(Type &v, const Visitor &visit)
+  {
+    visit("data_set", v.data_set);
+    visit("frequency_Hz", v.frequency_Hz);
+    visit("value", v.value);
+    visit("low", v.low);
+    visit("high", v.high);
+    visit("observation_low", v.observation_low);
+    visit("observation_high", v.observation_high);
+  }
+
+  template <Like<ObservationResidual> Type, typename Visitor>
+  void for_each_entry(Type &v, const Visitor &visit)
+  {
+    visit("data_set", v.data_set);
+    visit("frequency_Hz", v.frequency_Hz);
+    visit("observed", v.observed);
+    visit("sigma", v.sigma);
+    visit("predicted", v.predicted);
+    visit("model_error", v.model_error);
+    visit("standardised", v.standardised);
+    visit("weight", v.weight);
+    visit("trust", v.trust);
+  }
+
+  template <Like<NextExperiment> Type, typename Visitor>
+  void for_each_entry(Type &v, const Visitor &visit)
+  {
+    visit("parameter", v.parameter);
+    visit("data_set", v.data_set);
+    visit("frequency_Hz", v.frequency_Hz);
+    visit("interval_ratio", v.interval_ratio);
+    visit("information_gain", v.information_gain);
+    visit("best_frequency_Hz", v.best_frequency_Hz);
+    visit("best_interval_ratio", v.best_interval_ratio);
+    visit("most_informative_frequency_Hz", v.most_informative_frequency_Hz);
+  }
+
+  template <Like<FullOrderCheck> Type, typename Visitor>
+  void for_each_entry(Type &v, const Visitor &visit)
+  {
+    visit("data_set", v.data_set);
+    visit("frequency_Hz", v.frequency_Hz);
+    visit("reduced", v.reduced);
+    visit("full_order", v.full_order);
+  }
+
+  template <Like<ModelDiscrepancy> Type, typename Visitor>
+  void for_each_entry(Type &v, const Visitor &visit)
+  {
+    visit("relative_size", v.relative_size);
+    visit("correlation_decades", v.correlation_decades);
+    visit("origin", v.origin);
+    visit("checks", v.checks);
+    visit("moved_estimate", v.moved_estimate);
+    visit("largest_move", v.largest_move);
+    visit("verdict", v.verdict);
+  }
+
+  template <Like<CalibrationResult> Type, typename Visitor>
+  void for_each_entry(Type &v, const Visitor &visit)
+  {
+    visit("status", v.status);
+    visit("message", v.message);
+    visit("level", v.level);
+    visit("swimmer", v.swimmer);
+    visit("parameters", v.parameters);
+    visit("misfit", v.misfit);
+    visit("chi_squared", v.chi_squared);
+    visit("n_observations", v.n_observations);
+    visit("n_degrees_of_freedom", v.n_degrees_of_freedom);
+    visit("kkt_residual", v.kkt_residual);
+    visit("polish_step", v.polish_step);
+    visit("n_evaluations", v.n_evaluations);
+    visit("max_evaluations", v.max_evaluations);
+    visit("n_runs", v.n_runs);
+    visit("integrator_tolerance", v.integrator_tolerance);
+    visit("loss", v.loss);
+    visit("starts", v.starts);
+    visit("trace", v.trace);
+    visit("covariance", v.covariance);
+    visit("correlation", v.correlation);
+    visit("singular_values", v.singular_values);
+    visit("null_directions", v.null_directions);
+    visit("profiles", v.profiles);
+    visit("bootstrap", v.bootstrap);
+    visit("n_bootstrap_failures", v.n_bootstrap_failures);
+    visit("posterior", v.posterior);
+    visit("posterior_method", v.posterior_method);
+    visit("bands", v.bands);
+    visit("residuals", v.residuals);
+    visit("next", v.next);
+    visit("discrepancy", v.discrepancy);
+    visit("warnings", v.warnings);
+    visit("model_file", v.model_file);
+    visit("scene_name", v.scene_name);
+    visit("problem_text", v.problem_text);
+    visit("data_files", v.data_files);
+    visit("fit_time_s", v.fit_time_s);
+    visit("uncertainty_time_s", v.uncertainty_time_s);
+    visit("provenance", v.provenance);
+  }
+
+  const char *to_string(const ParameterRole role)
+  {
+    return role == ParameterRole::free ? "free" : role == ParameterRole::fixed ? "fixed" : "derived";
+  }
 
   const ClaimedInterval &CalibratedParameter::interval() const
   {
@@ -351,7 +238,7 @@ namespace swimtwin
 
   void write_calibration_result(const std::filesystem::path &file, const CalibrationResult &result)
   {
-    write_text_atomically(file, to_json(result).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    write_json_file(file, json_of(result));
   }
 
   CalibrationResult read_calibration_result(const std::filesystem::path &file)
@@ -360,7 +247,7 @@ namespace swimtwin
     CalibrationResult result;
     try
     {
-      from_json(Json::parse(text), result);
+      read_json(Json::parse(text), result);
     }
     catch (const Json::parse_error &)
     {

@@ -39,6 +39,7 @@ namespace swimtwin
     fixed,  ///< given
     derived ///< follows from fitted ones: a ratio
   };
+  const char *to_string(ParameterRole role);
 
   struct CalibratedParameter
   {

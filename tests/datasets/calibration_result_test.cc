@@ -73,6 +73,10 @@ namespace swimtwin
     EXPECT_NE(refusal("{}").find("lacks the entry status"), std::string::npos);
     EXPECT_NE(refusal("[1]").find("lacks the entry status"), std::string::npos);
     EXPECT_NE(refusal("{\"status\": 3}").find("has an entry status of the wrong kind"), std::string::npos);
+    write_calibration_result(folder.path / "roles.json", example());
+    std::string text = content(folder.path / "roles.json");
+    EXPECT_NE(refusal(text.replace(text.find("\"free\""), 6, "\"guessed\"")).find("unknown role guessed"),
+              std::string::npos);
     EXPECT_THROW(read_calibration_result(folder.path / "none.json"), InputError);
   }
 } // namespace swimtwin
