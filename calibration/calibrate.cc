@@ -1,12 +1,13 @@
 #include <calibration/calibrate.h>
+#include <calibration/calibration_warnings.h>
+#include <calibration/fit_requirements.h>
 #include <calibration/full_order_check.h>
+#include <calibration/noise_level.h>
 #include <calibration/null_reading.h>
 #include <calibration/parameter_summary.h>
 #include <datasets/clocks.h>
-#include <datasets/error.h>
 #include <datasets/parallel_for.h>
 
-#include <boost/math/distributions/chi_squared.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,77 +19,6 @@ namespace swimtwin
   namespace
   {
     constexpr int n_posterior = 200;
-
-    bool has_free_noise(const CalibrationProblem &problem)
-    {
-      return std::any_of(problem.free.begin(), problem.free.end(),
-                         [](const FreeParameter &f) { return f.quantity == FittedQuantity::noise_scale; });
-    }
-
-    void require_enough_observations(const FitInput &input)
-    {
-      const int n = input.data.n(), p = static_cast<int>(input.problem.free.size());
-      if (n >= p)
-        return;
-      throw InputError(fmt::format("{} observations cannot fit {} parameters; add observations or fix parameters with "
-                                   "value = ... in the problem file.",
-                                   n, p));
-    }
-
-    /// Groups that the model was trained for, the field's scale at 1.
-    GroupBox trained_box(const MotionGroups &groups, const CalibrationModel &model)
-    {
-      const TrainedRange &range = model.range;
-      CalibratedSwimmer   low = model.nominal, high = model.nominal;
-      low.young_modulus_Pa   = range.young_modulus_Pa.low;
-      high.young_modulus_Pa  = range.young_modulus_Pa.high;
-      low.magnetization_A_m  = range.magnetization_A_m.low;
-      high.magnetization_A_m = range.magnetization_A_m.high;
-      low.viscosity_Pa_s     = range.viscosity_Pa_s.high;
-      high.viscosity_Pa_s    = range.viscosity_Pa_s.low;
-      return {groups.values(low), groups.values(high)};
-    }
-
-    /// Bounds that hold nothing that the model knows are most likely in another unit.
-    void require_overlap_with_trained(const FitInput &input)
-    {
-      if (input.problem.allow_untrained)
-        return;
-      const MotionGroups groups(input.model);
-      const GroupBox     asked   = input.map.group_box(groups, input.map.lower(), input.map.upper());
-      const GroupBox     trained = trained_box(groups, input.model);
-      const char        *names[] = {"E/mu (1/s)", "M/mu (A/(m Pa s))"};
-      for (Eigen::Index g = 0; g < 2; ++g)
-        if (asked.upper[g] < trained.lower[g] || asked.lower[g] > trained.upper[g])
-          throw InputError(fmt::format(
-              "the bounds exclude every start that the model was trained for: they allow {} from {:.4g} to {:.4g}, and "
-              "it knows {:.4g} to {:.4g}; check their units, or set allow_untrained = true in [fit].",
-              names[g], std::exp(asked.lower[g]), std::exp(asked.upper[g]), std::exp(trained.lower[g]),
-              std::exp(trained.upper[g])));
-    }
-
-    std::vector<FitStart> waterfall(const FitInput &input, const Estimate &estimate)
-    {
-      std::vector<FitStart> starts;
-      for (std::size_t i = 0; i < estimate.search.minima.size(); ++i)
-      {
-        const Minimum &minimum = estimate.search.minima[i];
-        FitStart       start;
-        start.start = input.map.values(estimate.starts.col(static_cast<Eigen::Index>(i)));
-        start.end   = minimum.x.size() > 0 ? input.map.values(minimum.x) : start.start;
-        start.misfit_at_start =
-            minimum.trace.empty() ? std::numeric_limits<double>::quiet_NaN() : minimum.trace.front().objective;
-        start.misfit        = minimum.is_feasible() ? minimum.objective : std::numeric_limits<double>::quiet_NaN();
-        start.status        = to_string(minimum.status);
-        start.kkt_residual  = minimum.kkt_residual;
-        start.n_evaluations = minimum.n_evaluations;
-        starts.push_back(start);
-      }
-      std::stable_sort(starts.begin(), starts.end(), [](const FitStart &a, const FitStart &b) {
-        return a.misfit < b.misfit || (std::isfinite(a.misfit) && !std::isfinite(b.misfit));
-      });
-      return starts;
-    }
 
     /// One calibration, section by section of its result.
     class Calibration
@@ -138,11 +68,11 @@ namespace swimtwin
         result_.n_evaluations = estimate_.search.minima[static_cast<std::size_t>(estimate_.search.best)].n_evaluations;
         result_.max_evaluations = input_.problem.max_evaluations;
         result_.loss            = to_string(input_.problem.loss);
-        result_.starts          = waterfall(input_, estimate_);
+        result_.starts          = waterfall(input_, estimate_.search);
         for (const SearchStep &step : estimate_.search.minima[static_cast<std::size_t>(estimate_.search.best)].trace)
           result_.trace.push_back({step.n_evaluations, step.objective});
-        factor_ =
-            coverage_factor(result_.level, has_free_noise(input_.problem), std::max(1, result_.n_degrees_of_freedom));
+        factor_ = coverage_factor(result_.level, free_noise_scale(input_.problem) != nullptr,
+                                  std::max(1, result_.n_degrees_of_freedom));
       }
 
       void describe_information()
@@ -250,62 +180,8 @@ namespace swimtwin
 
       void conclude()
       {
-        for (const ObservationSet &set : sets_)
-          for (const std::string &warning : set.warnings)
-            result_.warnings.push_back(warning);
-        warn_of_sizes();
-        warn_of_trust();
-        warn_of_bounds();
-        warn_of_scatter();
-        if (estimate_.error.origin == "none" && !input_.problem.model_error)
-          result_.warnings.push_back(
-              "the model has no held-out runs, so its own error is not known and counts as zero");
+        result_.warnings = calibration_warnings(input_, sets_, estimate_, result_);
         set_status();
-      }
-
-      void warn_of_sizes()
-      {
-        for (const ObservationSet &set : sets_)
-          if (!set.body_length_m)
-            for (const std::string &warning : implausible_sizes(set, input_.model.body_length_m))
-              if (std::find(result_.warnings.begin(), result_.warnings.end(), warning) == result_.warnings.end())
-                result_.warnings.push_back(warning);
-      }
-
-      void warn_of_trust()
-      {
-        const auto &all     = result_.residuals;
-        const auto  outside = [](const ObservationResidual &r) { return !r.trust.empty(); };
-        const auto  first   = std::find_if(all.begin(), all.end(), outside);
-        if (first != all.end())
-          result_.warnings.push_back(fmt::format(
-              "at the estimate {} of {} observations are outside what the model was trained for (the first, {:.4g} Hz: "
-              "{})",
-              std::count_if(all.begin(), all.end(), outside), all.size(), first->frequency_Hz, first->trust));
-      }
-
-      void warn_of_bounds()
-      {
-        for (const CalibratedParameter &p : result_.parameters)
-          if (p.role == ParameterRole::free && p.at_bound && !p.undetermined)
-            result_.warnings.push_back(fmt::format("{} = {:.4g} lies at its bound: its interval ends there; widen the "
-                                                   "bounds if they are not physical",
-                                                   p.name, p.value));
-      }
-
-      void warn_of_scatter()
-      {
-        if (result_.n_degrees_of_freedom < 1 || has_free_noise(input_.problem) ||
-            input_.problem.loss != LossKind::least_squares)
-          return;
-        const boost::math::chi_squared law(result_.n_degrees_of_freedom);
-        const double                   larger = boost::math::cdf(boost::math::complement(law, result_.chi_squared));
-        if (larger < 1e-3)
-          result_.warnings.push_back(fmt::format(
-              "the residuals are larger than the stated sigma explain (chi^2 = {:.4g} at {} degrees of "
-              "freedom): intervals are too short; free noise_scale, use a robust loss, or look for what the "
-              "model lacks",
-              result_.chi_squared, result_.n_degrees_of_freedom));
       }
 
       void set_status()

@@ -1,47 +1,28 @@
 // The estimate: many searches on a table of displacements, the best of them again with exact ones, a polish.
 #pragma once
 
-#include <calibration/displacement_table.h>
+#include <calibration/bounds_search.h>
 #include <calibration/information.h>
 #include <calibration/least_squares.h>
 
-#include <datasets/reduced_model.h>
-#include <optimization/multistart.h>
-
-#include <functional>
-#include <string>
-#include <vector>
+#include <memory>
 
 namespace swimtwin
 {
-  /// What a fit works with; all must live as long.
-  struct FitInput
-  {
-    const CalibrationModel                                   &model;
-    const ReducedModel                                       &reduced; ///< that `model` was made of
-    const CalibrationProblem                                 &problem;
-    const CalibrationData                                    &data;
-    const ParameterMap                                       &map;
-    int                                                       n_threads   = 1;
-    std::function<void(const std::string &what, double done)> on_progress = {}; ///< by any thread, one at a time
-  };
-
   struct Estimate
   {
     Eigen::VectorXd unknowns; ///< scaled parameters, then components of the model's error
     ModelError      error;
     double          noise_scale = 1.;
 
-    Eigen::MatrixXd starts;              ///< p x n
-    Multistart      search;              ///< on a table that holds all bounds
-    Minimum         refined;             ///< the best one, on a table around the estimate
-    bool            polished    = false; ///< exact displacements and sensitivities see the minimum there, too
-    double          polish_step = 0.;    ///< by which they would still move a scaled parameter
-    double          misfit      = 0.;
+    BoundsSearch search;              ///< of all bounds
+    Minimum      refined;             ///< the best one, on a table around the estimate
+    bool         polished    = false; ///< exact displacements and sensitivities see the minimum there, too
+    double       polish_step = 0.;    ///< by which they would still move a scaled parameter
+    double       misfit      = 0.;
     /// Largest cosine between the rows and a column of derivatives that no bound holds: zero at a minimum.
     double kkt_residual         = 0.;
     double integrator_tolerance = 0.;
-    double table_error          = 0.; ///< of the search's table, see DisplacementTable
     long   n_runs               = 0;
 
     std::shared_ptr<DisplacementTable> local; ///< around the estimate

@@ -29,10 +29,4 @@ namespace swimtwin
 
   /// `prediction` with derivatives, at the estimate.
   Information information(const Misfit &misfit, const Eigen::VectorXd &unknowns, const Prediction &prediction);
-
-  /// The standard deviation of the scatter over the stated sigma, by restricted maximum likelihood (for least squares
-  /// without model error: the residuals' sum of squares over the degrees of freedom); with a robust loss by the median
-  /// of the residuals. Within the bounds.
-  double noise_scale_estimate(const Misfit &misfit, const Eigen::VectorXd &unknowns, const Prediction &prediction,
-                              double lower, double upper);
 } // namespace swimtwin

@@ -1,5 +1,7 @@
 #include <calibration/misfit.h>
 
+#include <cmath>
+
 namespace swimtwin
 {
   int Misfit::n_rows() const
@@ -69,5 +71,28 @@ namespace swimtwin
         ++row;
       }
     return result;
+  }
+
+  Eigen::VectorXd Misfit::mean_residual(const Eigen::VectorXd &unknowns, const Prediction &prediction) const
+  {
+    return observed_m - prediction.value_m + prediction.by_error * unknowns.tail(n_components());
+  }
+
+  Eigen::MatrixXd Misfit::covariance(const Prediction &prediction, const double at_noise_scale) const
+  {
+    const Eigen::VectorXd weights   = residuals(prediction).unaryExpr([&](const double r) { return loss.weight(r); });
+    const Eigen::VectorXd variances = (at_noise_scale * sigma_m).cwiseAbs2().cwiseQuotient(weights);
+    Eigen::MatrixXd       V         = prediction.by_error * prediction.by_error.transpose();
+    V.diagonal() += variances;
+    return V;
+  }
+
+  Eigen::MatrixXd Misfit::prior_information() const
+  {
+    Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(n_parameters());
+    for (int j = 0; j < n_parameters(); ++j)
+      if (map_.has_prior(j))
+        diagonal[j] = 1. / std::pow(map_.prior_standard_deviation(j), 2);
+    return diagonal.asDiagonal();
   }
 } // namespace swimtwin

@@ -51,6 +51,13 @@ namespace swimtwin
     MisfitRows rows(DisplacementSource &source, const Eigen::VectorXd &unknowns, bool derivatives) const;
     /// Residuals (observed - predicted) / (noise scale x sigma).
     Eigen::VectorXd residuals(const Prediction &prediction) const;
+    /// Observed less predicted with the model's error at its mean (m).
+    Eigen::VectorXd mean_residual(const Eigen::VectorXd &unknowns, const Prediction &prediction) const;
+    /// Of the observations (m^2): noise at this scale, less sure where the loss gives less weight, and the model's
+    /// error.
+    Eigen::MatrixXd covariance(const Prediction &prediction, double at_noise_scale) const;
+    /// Curvature of the priors, p x p.
+    Eigen::MatrixXd prior_information() const;
 
     Eigen::VectorXd observed_m, sigma_m;
     double          noise_scale = 1.;
