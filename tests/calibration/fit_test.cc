@@ -57,20 +57,6 @@ namespace swimtwin
     EXPECT_GT((before.information.whitened * moved).norm(), 1.); // least squares is moved by more
   }
 
-  TEST(Fit, TheNoiseLevelFollowsFromTheResiduals)
-  {
-    ObservationSet set = noisy_curve(exact_curve(12, known_swimmer()), 4);
-    for (Observation &point : set.points)
-      point.sigma_m *= 0.4;
-    CalibrationProblem problem = two_ratios();
-    problem.free.push_back(free_parameter(FittedQuantity::noise_scale, 0.1, 10.));
-    const Setting         setting(problem, {set});
-    const Estimate        estimate = setting.estimate();
-    const Eigen::VectorXd r        = misfit_of(setting.input, estimate).residuals(estimate.prediction);
-    EXPECT_NEAR(r.squaredNorm(), 10., 1e-3); // the sum of squares over 12 - 2 degrees of freedom is 1
-    EXPECT_NEAR(estimate.noise_scale, 2.5, 1.2);
-  }
-
   TEST(Fit, TheModelsErrorMakesTheEstimateLessSureAndTakesUpACommonFactor)
   {
     ObservationSet set = exact_curve(6, known_swimmer());

@@ -81,6 +81,29 @@ namespace swimtwin
     return problem;
   }
 
+  CalibrationProblem everything_free()
+  {
+    using enum FittedQuantity;
+    CalibrationProblem problem;
+    problem.free          = {free_parameter(young_modulus_over_viscosity, 1e4, 1e6), free_parameter(viscosity, 1., 2.),
+                             free_parameter(magnetization, 5e4, 3e5, false),         free_parameter(field_scale, 0.5, 2.),
+                             free_parameter(geometry_scale, 0.5, 2., false),         free_parameter(displacement_scale, 0.5, 2.),
+                             free_parameter(displacement_offset, -1e-4, 1e-4, false)};
+    problem.free[1].prior = GaussianPrior{1.5, 0.1};
+    problem.free[6].prior = GaussianPrior{1e-6, 1e-5};
+    return problem;
+  }
+
+  Eigen::VectorXd somewhere(const ParameterMap &map, const int n_components)
+  {
+    Eigen::VectorXd unknowns(map.size() + n_components);
+    const double    values[] = {5.5e4, 1.45, 1.25e5, 1.04, 0.97, 1.02, 2e-6};
+    for (int j = 0; j < map.size(); ++j)
+      unknowns[j] = map.scaled(j, values[j]);
+    unknowns.tail(n_components).setLinSpaced(-0.6, 0.8);
+    return unknowns;
+  }
+
   Setting::Setting(CalibrationProblem own_problem, std::vector<ObservationSet> own_sets)
       : problem(std::move(own_problem)), sets(std::move(own_sets)), data(calibration_data(sets)),
         map(problem, reference_swimmer().nominal, data.largest_m()),

@@ -26,6 +26,11 @@ namespace swimtwin
   /// E/mu and M/mu within 30 % of the truth or so, no model error.
   CalibrationProblem two_ratios();
 
+  /// Seven parameters at once, a ratio and the viscosity it refers to among them, two of them with priors.
+  CalibrationProblem everything_free();
+  /// Unknowns for that problem away from every special value, the model's error among them.
+  Eigen::VectorXd somewhere(const ParameterMap &map, int n_components);
+
   /// Everything that a fit takes, alive as long as this.
   struct Setting
   {
