@@ -198,15 +198,8 @@ namespace swimtwin
     std::vector<std::string> notes;
     for (const SwimmingCondition &condition : conditions_)
     {
-      const SwimmerRun run     = integrator.run(run_request(model_, condition, swimmer));
-      RunRequest       trained = run_request(model_, condition, swimmer);
-      const Interval   range   = model_.range.viscosity_Pa_s;
-      const double     mu      = std::clamp(swimmer.viscosity_Pa_s, range.low, range.high);
-      trained.parameters.young_modulus_Pa *= mu / swimmer.viscosity_Pa_s;
-      trained.parameters.magnetization_A_m *= swimmer.field_scale * mu / swimmer.viscosity_Pa_s;
-      trained.parameters.viscosity_Pa_s = mu;
-      trained.drive.parameters          = condition.drive.parameters;
-      notes.push_back(trust_notes(model_.range, trained, run).text());
+      const RunRequest request = run_request(model_, condition, swimmer);
+      notes.push_back(trust_notes(model_.range, request, integrator.run(request)).text());
     }
     return notes;
   }

@@ -45,8 +45,7 @@ namespace swimtwin
 
     long n_runs() const { return n_runs_; } ///< so far
 
-    /// Why predictions for this swimmer may not be trusted, one per condition; empty where they may. Stiffness and
-    /// magnetization are judged at the trained viscosity: the motion depends on their ratios to it.
+    /// Why predictions for this swimmer may not be trusted, one per condition; empty where they may (see trust_notes).
     std::vector<std::string> trust(const CalibratedSwimmer &swimmer) const;
 
   private:

@@ -12,7 +12,9 @@ namespace swimtwin
   /// Why a run leaves what the model was trained for; one phrase each, empty if it does not.
   struct TrustNotes
   {
-    std::vector<std::string> outside_range;  ///< "young_modulus_Pa = 5e5 above 3e5"
+    /// "E/(mu f) = 5e6 above 2e6", then the parameters that are outside by themselves, "young_modulus_Pa = 5e5 above
+    /// 3e5".
+    std::vector<std::string> outside_range;
     std::vector<std::string> outside_region; ///< "shape 1.2 times the trained region's radius"
 
     bool inside() const { return outside_range.empty() && outside_region.empty(); }
@@ -20,8 +22,7 @@ namespace swimtwin
     std::string text() const;
   };
 
-  /// Field parameters are compared for the reference sinusoid only; a range of zero width counts as the value to seven
-  /// digits.
+  /// See notes_outside_range for what counts as outside the range.
   TrustNotes trust_notes(const TrainedRange &range, const RunRequest &request, const SwimmerRun &run);
 
   /// Estimated error of a displacement (m) from that of the model with fewer modes: what the last modes change. The

@@ -94,11 +94,12 @@ namespace swimtwin
     axes.young_modulus_Pa = {1e4, 1e5, 1e6};
     axes.by_T             = {5e-3, 6e-3};
     const auto results    = sweep(model, axes, options);
-    EXPECT_EQ(results[0].trust.outside_range, std::vector<std::string>{"young_modulus_Pa = 1e+04 below 4e+04"});
+    EXPECT_EQ(results[0].trust.text(),
+              "E/(M by) = 20 below 40; E/(mu f) = 8224 below 8772; young_modulus_Pa = 1e+04 below 4e+04");
     EXPECT_TRUE(results[2].trust.inside());
-    EXPECT_EQ(results[3].trust.text(), "by_T = 0.006 above 0.005");
-    EXPECT_EQ(results[4].trust.outside_range.size(), 1u);
-    EXPECT_EQ(results[5].trust.outside_range.size(), 2u);
+    EXPECT_EQ(results[3].trust.text(), "bx/by = 0.8333 below 1; by_T = 0.006 above 0.005");
+    EXPECT_EQ(results[4].trust.outside_range.size(), 2u);
+    EXPECT_EQ(results[5].trust.outside_range.size(), 4u);
   }
 
   TEST_F(Sweeps, FlagShapesAndAnglesThatLeaveTheTrainedRegion)
