@@ -1,6 +1,7 @@
 // Verb calibrate: fit the swimmer to displacement-frequency data, and say what the data cannot tell.
 #include <app/calibrate.h>
 #include <app/calibration_files.h>
+#include <app/calibration_input.h>
 #include <app/calibration_pictures.h>
 #include <app/calibration_report.h>
 #include <app/sweep_report.h>
@@ -26,21 +27,6 @@ namespace swimtwin
 {
   namespace
   {
-    std::vector<ObservationSet> read_data(const CalibrateCommand &command, const CalibrationProblem &problem)
-    {
-      std::vector<std::filesystem::path> files(command.data.begin(), command.data.end());
-      if (files.empty())
-        files = problem.data;
-      if (files.empty())
-        throw InputError(fmt::format("{} names no data = [...] and no --data is given; give at least one CSV of "
-                                     "observations.",
-                                     command.problem));
-      std::vector<ObservationSet> sets;
-      for (const auto &file : files)
-        sets.push_back(read_observations(file));
-      return sets;
-    }
-
     CalibrationOptions options_of(const CalibrateCommand &command, const ReducedModel &model, ProgressBar &bar)
     {
       CalibrationOptions options;
@@ -127,6 +113,21 @@ namespace swimtwin
       if (!illustrations.warning.empty())
         fmt::print(stderr, "swimtwin: {}\n", illustrations.warning);
     }
+
+    void print_warnings(const std::vector<std::string> &warnings)
+    {
+      for (const std::string &warning : warnings)
+        fmt::print(stderr, "swimtwin: warning: {}\n", warning);
+    }
+
+    void check_and_report(const CalibrateCommand &command)
+    {
+      const CalibrationInput         input    = read_calibration_input(command);
+      const std::vector<std::string> warnings = check_before_fit(input.model, input.problem, input.sets);
+      print_warnings(warnings);
+      if (!command.common.quiet)
+        fmt::print("{}  nothing forbids a fit; warnings: {}\n", summary(input), warnings.size());
+    }
   } // namespace
 
   void calibrate_and_report(const CalibrateCommand &command)
@@ -134,9 +135,11 @@ namespace swimtwin
     const CommonOptions &common = command.common;
     if (command.n_checks > 0)
       require_full_order_model("--verify");
-    const ReducedModel                model   = read_reduced_model(find_model(command.model));
-    const CalibrationProblem          problem = read_calibration_problem(command.problem);
-    const std::vector<ObservationSet> sets    = read_data(command, problem);
+    if (common.output.empty())
+      throw InputError(
+          "--output is required: name a folder for the results, or say --check to look at problem and data "
+          "without a fit.");
+    const auto [model, problem, sets] = read_calibration_input(command);
     prepare_output_folder(common.output, calibration_file_names(), common.force);
     const double      start = wall_time_s();
     CalibrationResult result;
@@ -147,8 +150,7 @@ namespace swimtwin
     complete(command, model, problem, sets, wall_time_s() - start, result);
     write_calibration_files(common.output, result, fitted_scene(model, result.swimmer, sets.front()));
     draw_and_write_page(command, result);
-    for (const std::string &warning : result.warnings)
-      fmt::print(stderr, "swimtwin: warning: {}\n", warning);
+    print_warnings(result.warnings);
     if (!common.quiet)
       fmt::print("{}  fit in {:.3g} s, uncertainty in {:.3g} s, {} runs of the reduced swimmer\n  results in {}\n",
                  story(result), result.fit_time_s, result.uncertainty_time_s, result.n_runs, common.output.string());
@@ -172,12 +174,14 @@ namespace swimtwin
     verb->add_option("--verify", command->n_checks, "Runs of the full-order model at the estimate (about 15 s each)")
         ->check(CLI::NonNegativeNumber)
         ->take_last();
+    verb->add_flag("--check", command->check_only,
+                   "Read problem and observations, print what is in them and what is wrong, and fit nothing");
     verb->add_flag("--no-picture", command->no_picture, "Draw nothing");
-    add_output_options(*verb, command->common, OutputFolder::required);
+    add_output_options(*verb, command->common, OutputFolder::optional);
     command->common.command_line = command_line;
     return [command] {
       if (is_speaker())
-        calibrate_and_report(*command);
+        (command->check_only ? check_and_report : calibrate_and_report)(*command);
     };
   }
 } // namespace swimtwin

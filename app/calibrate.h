@@ -12,6 +12,7 @@ namespace swimtwin
     std::vector<std::string> data; ///< instead of those that the problem names
     int                      n_threads = 0, n_checks = 0;
     bool                     no_picture = false;
+    bool                     check_only = false; ///< problem and data, without a fit; needs no folder
   };
 
   void calibrate_and_report(const CalibrateCommand &command);

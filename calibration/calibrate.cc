@@ -20,6 +20,12 @@ namespace swimtwin
   {
     constexpr int n_posterior = 200;
 
+    void require_sense(const FitInput &input)
+    {
+      require_enough_observations(input);
+      require_overlap_with_trained(input);
+    }
+
     /// One calibration, section by section of its result.
     class Calibration
     {
@@ -223,8 +229,17 @@ namespace swimtwin
     const CalibrationModel model(reduced);
     const ParameterMap     map(problem, model.nominal, data.largest_m());
     const FitInput input{model, reduced, problem, data, map, n_threads_for(64, options.n_threads), options.on_progress};
-    require_enough_observations(input);
-    require_overlap_with_trained(input);
+    require_sense(input);
     return Calibration(input, sets, options).run();
+  }
+
+  std::vector<std::string> check_before_fit(const ReducedModel &reduced, const CalibrationProblem &problem,
+                                            const std::vector<ObservationSet> &sets)
+  {
+    const CalibrationData  data = calibration_data(sets);
+    const CalibrationModel model(reduced);
+    const ParameterMap     map(problem, model.nominal, data.largest_m());
+    require_sense({model, reduced, problem, data, map});
+    return data_warnings(model, sets);
   }
 } // namespace swimtwin

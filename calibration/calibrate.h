@@ -22,4 +22,8 @@ namespace swimtwin
   /// that exclude every start; ComputationError if the fit itself fails.
   CalibrationResult calibrate(const ReducedModel &model, const CalibrationProblem &problem,
                               const std::vector<ObservationSet> &sets, const CalibrationOptions &options = {});
+
+  /// What can be known before a fit: throws InputError as `calibrate` does, else returns what it will warn of.
+  std::vector<std::string> check_before_fit(const ReducedModel &model, const CalibrationProblem &problem,
+                                            const std::vector<ObservationSet> &sets);
 } // namespace swimtwin

@@ -114,6 +114,54 @@ bootstrap_samples = 60
     expect_in(calibrate({}).errors, "give at least one CSV");
   }
 
+  TEST_F(CalibrateVerb, ChecksProblemAndDataWithoutAFit)
+  {
+    folder.write("curve.csv", table);
+    const std::vector<std::string> check = {
+        "calibrate", "reference-2d", folder.path / "fit.toml", "--data", folder.path / "curve.csv", "--check"};
+    const Outcome outcome = tool(check);
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    expect_in(outcome.output, "young_modulus_over_viscosity_1_s       3.5e+04 to 8e+04");
+    expect_in(outcome.output, "curve\n    3 observations at 0.2 to 1 Hz, of period 3 after a start from rest\n");
+    expect_in(outcome.output, "displacement   0.114 to 0.18 mm per period, ");
+    expect_in(outcome.output, " to 0.0225 body lengths of 8 mm\n");
+    expect_in(outcome.output, "sigma          0.002 to 0.003 mm, 1.67 to 1.76 % of the displacement\n");
+    expect_in(outcome.output, "field          bx 5 mT, by 5 mT sin\n");
+    expect_in(outcome.output, "nothing forbids a fit; warnings: 0");
+    EXPECT_FALSE(std::filesystem::exists(folder.path / "results"));
+  }
+
+  TEST_F(CalibrateVerb, CheckFindsWhatAFitWouldFind)
+  {
+    const auto check = [&](const std::string &text) {
+      return tool({"calibrate", "reference-2d", folder.path / "fit.toml", "--check", "--data",
+                   folder.write("curve.csv", text), "--data", folder.path / "other.csv"});
+    };
+    folder.write("other.toml", sidecar);
+    folder.write("other.csv", "frequency_Hz,displacement_m,sigma_m\n0.2,1e-4,-1\n0.5,1e-4,2e-6\n");
+    const Outcome both = check("frequency_Hz,displacement_m,sigma_m\n0.2,1.14e-4,0\n0.5,1.8e-4,3e-6\n");
+    EXPECT_EQ(both.code, 2); // the errors of all files at once
+    expect_in(both.errors, "curve.csv:2");
+    expect_in(both.errors, "other.csv:2");
+    folder.write("other.csv", table);
+    const Outcome in_mm = check("frequency_Hz,displacement_m,sigma_m\n0.2,0.114,2e-3\n0.5,0.18,3e-3\n");
+    EXPECT_EQ(in_mm.code, 0);
+    expect_in(in_mm.errors, "swimtwin: warning:");
+    expect_in(in_mm.errors, "looks like mm in a column of metres");
+    folder.write("fit.toml", "[parameters.young_modulus_Pa]\nbounds = [10, 100]\n");
+    const Outcome in_kPa = check(table);
+    EXPECT_EQ(in_kPa.code, 2);
+    expect_in(in_kPa.errors, "the bounds exclude every start");
+  }
+
+  TEST_F(CalibrateVerb, NeedsAFolderForAFit)
+  {
+    const Outcome outcome =
+        tool({"calibrate", "reference-2d", folder.path / "fit.toml", "--data", folder.write("curve.csv", table)});
+    EXPECT_EQ(outcome.code, 2);
+    expect_in(outcome.errors, "--output is required");
+  }
+
   TEST_F(CalibrateVerb, SaysThatThisBuildCannotVerify)
   {
     const Outcome outcome = calibrate({"--data", folder.write("curve.csv", table), "--verify", "2"});
