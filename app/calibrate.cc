@@ -148,7 +148,7 @@ namespace swimtwin
       result = calibrate(model, problem, sets, options_of(command, model, bar));
     }
     complete(command, model, problem, sets, wall_time_s() - start, result);
-    write_calibration_files(common.output, result, fitted_scene(model, result.swimmer, sets.front()));
+    write_calibration_files(common.output, result, fitted_scene(model, result.swimmer, sets.front(), common.output));
     draw_and_write_page(command, result);
     print_warnings(result.warnings);
     if (!common.quiet)

@@ -168,7 +168,7 @@ namespace swimtwin
 
   std::vector<std::string> calibration_file_names()
   {
-    std::vector<std::string> names = {calibration_result_name, fitted_scene_name};
+    std::vector<std::string> names = {calibration_result_name, fitted_scene_name, fitted_field_name};
     for (const auto &[name, make] : tables())
       names.emplace_back(name);
     return names;

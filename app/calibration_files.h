@@ -1,6 +1,8 @@
 // The files of a calibration.
 #pragma once
 
+#include <app/fitted_scene.h>
+
 #include <datasets/calibration_result.h>
 #include <datasets/scene.h>
 
@@ -10,9 +12,9 @@
 
 namespace swimtwin
 {
-  inline constexpr const char *calibration_result_name = "calibration.json", *fitted_scene_name = "fitted-scene.toml";
+  inline constexpr const char *calibration_result_name = "calibration.json";
 
-  /// All that write_calibration_files writes, to be refused or replaced.
+  /// All that a calibration writes, to be refused or replaced.
   std::vector<std::string> calibration_file_names();
 
   /// calibration.json, fitted-scene.toml and the tables parameters.csv, residuals.csv, band.csv, profiles.csv,

@@ -1,6 +1,7 @@
 #include <app/field_replay.h>
 #include <app/plan_files.h>
 #include <app/progress_bar.h>
+#include <app/scene_field.h>
 
 #include <control/measured_field.h>
 #include <control/settled_start.h>
@@ -13,34 +14,16 @@
 
 #include <chrono>
 #include <cmath>
-#include <sstream>
 
 namespace swimtwin
 {
   namespace
   {
-    /// The model's scene without its table [field].
-    std::string without_field(const std::string &scene_text)
-    {
-      std::istringstream lines(scene_text);
-      std::string        text, line;
-      bool               in_field = false;
-      while (std::getline(lines, line))
-      {
-        if (line.starts_with("["))
-          in_field = line.starts_with("[field]");
-        if (!in_field)
-          text += line + "\n";
-      }
-      return text;
-    }
-
     Scene replay_scene(const ReducedModel &model, const PlanResult &plan, const std::filesystem::path &program,
                        const double period_s, const double angle_rad, const ReplayOptions &options)
     {
-      const std::string field = fmt::format("\n[field]\nprogram = \"{}\"\nperiod_s = {:.17g}\n",
-                                            std::filesystem::absolute(program).string(), period_s);
-      return parse_scene(without_field(model.scene_text) + field, model.scene_name + ".toml",
+      const std::string file = std::filesystem::absolute(program).string();
+      return parse_scene(with_field_program(model.scene_text, file, period_s), model.scene_name + ".toml",
                          {fmt::format("head.angle_rad={:.17g}", angle_rad),
                           fmt::format("head.magnetization_A_m={:.17g}", plan.magnetization_A_m),
                           fmt::format("tail.young_modulus_Pa={:.17g}", plan.young_modulus_Pa),

@@ -1,6 +1,8 @@
 #include <app/fitted_scene.h>
+#include <app/scene_field.h>
 
 #include <datasets/error.h>
+#include <datasets/field_program_writer.h>
 
 #include <fmt/format.h>
 
@@ -59,22 +61,44 @@ namespace swimtwin
       set(overrides, "numerics.mesh_size_far_m", scale * scene.numerics.mesh_size_far_m);
     }
 
+    FieldProgram scaled(const FieldProgram &field, const double scale)
+    {
+      std::vector<std::array<double, 3>> b_T = field.b_T();
+      for (auto &b : b_T)
+        for (double &component : b)
+          component *= scale;
+      return FieldProgram::sampled(field.time_s(), std::move(b_T), field.period_s());
+    }
+
     bool is_sinusoidal(const FieldProgram &field)
     {
       return field.waveform() == FieldProgram::Waveform::sinusoidal;
     }
   } // namespace
 
-  Scene fitted_scene(const ReducedModel &model, const CalibratedSwimmer &swimmer, const ObservationSet &data)
+  Scene fitted_scene(const ReducedModel &model, const CalibratedSwimmer &swimmer, const ObservationSet &data,
+                     const std::filesystem::path &folder)
   {
-    const std::string name      = model.scene_name + ".toml";
-    const Scene       scene     = parse_scene(model.scene_text, name);
-    Overrides         overrides = physics(swimmer);
-    if (is_sinusoidal(scene.field))
-      set_field(overrides, is_sinusoidal(data.field) ? data.field : scene.field, swimmer.field_scale);
+    const std::filesystem::path program   = folder / fitted_field_name;
+    const Scene                 scene     = parse_scene(model.scene_text, model.scene_name + ".toml");
+    std::string                 text      = model.scene_text;
+    Overrides                   overrides = physics(swimmer);
+    if (is_sinusoidal(data.field))
+    {
+      set_field(overrides, data.field, swimmer.field_scale);
+      std::filesystem::remove(program);
+    }
+    else
+    {
+      const FieldProgram field = field_at(data, 1. / scene.field.period_s());
+      write_field_program(program, scaled(field, swimmer.field_scale),
+                          fmt::format("Field of {} times the fitted scale {:.6g}, at the frequency of {}", data.name,
+                                      swimmer.field_scale, model.scene_name));
+      text = with_field_program(text, fitted_field_name, field.period_s());
+    }
     if (swimmer.geometry_scale != 1.)
       set_lengths(overrides, scene, swimmer.geometry_scale);
-    return parse_scene(model.scene_text, name, overrides);
+    return parse_scene(text, folder / fitted_scene_name, overrides);
   }
 
   Scene scene_of_observation(const ReducedModel &model, const CalibratedSwimmer &swimmer, const FieldProgram &field,
