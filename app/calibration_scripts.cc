@@ -10,14 +10,6 @@ color(k) = set_color[int(k) % 6 + 1]
 mark(k) = set_mark[int(k) % 6 + 1]
 set multiplot
 left = 0.105; right = 0.965
-# no names of frequencies between the panels
-frequencies = '0.01 0.02 0.05 0.1 0.2 0.3 0.5 0.7 1 1.5 2 3 5 10 20 50'
-upper_tics = "set format x ''"; lower_tics = "set format x '%g'"
-if (logarithmic) {
-  set logscale x
-  upper_tics = "set xtics () ; do for [f in frequencies] { set xtics add ('' f + 0.) }"
-  lower_tics = "set xtics () ; do for [f in frequencies] { set xtics add (f f + 0.) }"
-}
 set xrange [f_min:f_max]
 
 top = 0.825; bottom = 0.395
@@ -31,7 +23,7 @@ plot for [k=0:n_sets-1] data index 3*int(k) using 1:5:6 with filledcurves lc rgb
      for [k=0:n_sets-1] data index 3*int(k) using 1:2 with lines lw 2.0 lc rgb color(k) notitle, \
      for [k=0:n_sets-1] data index 3*int(k)+1 using 1:2:3 with yerrorbars pt mark(k) ps 1.4 lw 1.4 lc rgb color(k) title value(sprintf('name_%d', k)), \
      for [k=0:n_sets-1] data index 3*int(k)+1 using ($4 < 0.5 ? $1 : NaN):2 with points pt 6 ps 3.2 lw 1.6 lc rgb dissipation_color title (k == 0 && has_outliers ? 'weight below ½' : '')
-unset label 1; unset label 2
+eval(without_heading)
 
 top = 0.355; bottom = 0.12
 eval(panel)
@@ -153,14 +145,6 @@ unset multiplot
   const std::string_view next_experiment = R"gp(
 set multiplot
 left = 0.105; right = 0.965
-# no names of frequencies between the panels
-frequencies = '0.01 0.02 0.05 0.1 0.2 0.3 0.5 0.7 1 1.5 2 3 5 10 20 50'
-upper_tics = "set format x ''"; lower_tics = "set format x '%g'"
-if (logarithmic) {
-  set logscale x
-  upper_tics = "set xtics () ; do for [f in frequencies] { set xtics add ('' f + 0.) }"
-  lower_tics = "set xtics () ; do for [f in frequencies] { set xtics add (f f + 0.) }"
-}
 set xrange [f_min:f_max]
 top = 0.825; bottom = 0.49
 eval(panel)
@@ -170,7 +154,7 @@ set ylabel interval_label
 plot data index 0 using 1:2 with lines lw 2.4 lc rgb head_color notitle, \
      data index 1 using 1:2 with points pt 7 ps 1.9 lc rgb tail_color title 'best', \
      data index 3 using 1:(100) with points pt 9 ps 1.5 lc rgb note_color title 'frequencies observed so far'
-unset label 1; unset label 2
+eval(without_heading)
 top = 0.43; bottom = 0.12
 eval(panel)
 unset key

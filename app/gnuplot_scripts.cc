@@ -48,6 +48,16 @@ one_scale = "w = 1600. * (right - left); h = 1000. * (top - bottom); \
   half = 0.5 * zoom_out * larger((x_max - x_min) / w, (y_max - y_min) / h); \
   set xrange [0.5*(x_min + x_max) - half*w : 0.5*(x_min + x_max) + half*w]; \
   set yrange [0.5*(y_min + y_max) - half*h : 0.5*(y_min + y_max) + half*h]"
+
+# More to eval: colorbox_beside puts the scale of colours to the right of the panel, phase_tics marks the quarters of a
+# period on it; without_heading comes before the second panel; upper_tics and lower_tics are for two panels above each
+# other with frequencies along x, whose names stand below the lower one.
+colorbox_beside = "set colorbox user origin screen right + 0.02, screen bottom size screen 0.013, screen top - bottom noborder"
+phase_tics = "set cbtics ('0' 0, '¼' 0.25, '½' 0.5, '¾' 0.75, '1' 1)"
+without_heading = "unset label 1; unset label 2"
+frequencies = '0.01 0.02 0.05 0.1 0.2 0.3 0.5 0.7 1 1.5 2 3 5 10 20 50'
+upper_tics = "if (logarithmic) { set logscale x; set xtics (); do for [f in frequencies] { set xtics add ('' f + 0.) } } else { set format x '' }"
+lower_tics = "if (logarithmic) { set logscale x; set xtics (); do for [f in frequencies] { set xtics add (f f + 0.) } } else { set format x '%g' }"
 )gp";
 
   const std::string_view trajectory = R"gp(
@@ -62,7 +72,7 @@ set xlabel 'x (mm)'
 set ylabel 'y (mm)'
 set cblabel time_label offset 0.3,0
 set cbrange [t_min:t_max]
-set colorbox user origin screen right + 0.02, screen bottom size screen 0.013, screen top - bottom noborder
+eval(colorbox_beside)
 x_arrow = left + 0.013; y_arrow = top + 0.025 # in the direction of the head, above the panel
 set arrow 1 from screen x_arrow - 0.0125*cos(head_first), screen y_arrow - 0.02*sin(head_first) \
   rto screen 0.025*cos(head_first), screen 0.04*sin(head_first) lw 1.6 lc rgb note_color head filled size screen 0.009,22
@@ -104,7 +114,7 @@ if (has_head && has_tail) {
 } else {
   plot data using 1:(has_head ? $2 : $3) with lines lw 2.4 lc rgb (has_head ? head_color : tail_color) title (has_head ? 'head' : 'tail tip')
 }
-unset label 1; unset label 2
+eval(without_heading)
 
 if (has_field) {
   top = 0.355; bottom = 0.12
@@ -151,7 +161,7 @@ plot data index 0 using 1:(has_magnetic ? $2 : NaN) with lines lw 2.4 lc rgb mag
      data index 0 using 1:(has_external ? $3 : NaN) with lines lw 2.4 lc rgb external_color title (has_external ? 'external power' : ''), \
      data index 0 using 1:(has_dissipation ? $4 : NaN) with lines lw 2.4 lc rgb dissipation_color title (has_dissipation ? 'dissipation' : ''), \
      data index 1 using 1:(has_elastic ? $2 : NaN) with lines lw 2.4 lc rgb elastic_color title (has_elastic ? 'rate of elastic energy' : '')
-unset label 1; unset label 2
+eval(without_heading)
 
 if (has_residual) {
   top = 0.355; bottom = 0.12
@@ -175,8 +185,8 @@ set ylabel 'y (mm)'
 if (cyclic) { eval(cyclic_palette) }
 set cbrange [t_min:t_max]
 set cblabel instant_label offset (cyclic ? 2.5 : 1),0
-set colorbox user origin screen right + 0.02, screen bottom size screen 0.013, screen top - bottom noborder
-if (cyclic) { set cbtics ('0' 0, '¼' 0.25, '½' 0.5, '¾' 0.75, '1' 1) }
+eval(colorbox_beside)
+if (cyclic) { eval(phase_tics) }
 
 # Index 0: path of the tail's tip; then two blocks per instant: tail (empty without one) and head.
 color(k) = word(instants, k) + 0

@@ -14,7 +14,7 @@ eval(panel)
 set format x ''
 set ylabel 'b_x (mT)'
 plot for [k=0:n_fields-1] data index k using 1:2 with lines lw 2.6 lc rgb color(k) title value(sprintf('name_%d', k))
-unset label 1; unset label 2
+eval(without_heading)
 top = 0.445; bottom = 0.12
 eval(panel)
 unset key
@@ -36,8 +36,8 @@ set yzeroaxis lt 1 lw 0.8 lc rgb pale_color
 eval(cyclic_palette)
 set cbrange [0:1]
 set cblabel 'phase' offset 2.5,0
-set colorbox user origin screen right + 0.02, screen bottom size screen 0.013, screen top - bottom noborder
-set cbtics ('0' 0, '¼' 0.25, '½' 0.5, '¾' 0.75, '1' 1)
+eval(colorbox_beside)
+eval(phase_tics)
 set object 1 circle at 0,0 size first largest fs empty border rgb note_color dt (6,6) lw 1.2
 last = int(n_fields) - 1
 plot for [k=0:last-1] data index k using 2:3 with lines lw 2.2 lc rgb pale_color title value(sprintf('name_%d', k)), \
@@ -81,7 +81,7 @@ set format x ''
 set ylabel 'mean speed (µm/s)'
 plot data using 1:3 with linespoints lw 2.4 pt 7 ps 1.6 lc rgb head_color title 'optimal field', \
      data using 1:2 with linespoints lw 2.4 pt 5 ps 1.6 lc rgb tail_color title 'tuned sinusoid'
-unset label 1; unset label 2
+eval(without_heading)
 top = 0.39; bottom = 0.12
 eval(panel)
 set format x '%g'
@@ -103,7 +103,7 @@ set ylabel 'objective (1: reference)'
 unset colorbox
 set cbrange [0:larger(1, n_fields - 1)]
 plot for [k=0:n_fields-1] data index k using 1:($3 <= 1e-5 ? $2 : NaN) with steps lw 2.4 lc palette cb k title value(sprintf('name_%d', k))
-unset label 1; unset label 2
+eval(without_heading)
 top = 0.39; bottom = 0.12
 eval(panel)
 unset key
