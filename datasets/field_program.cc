@@ -1,6 +1,7 @@
 #include <datasets/csv_table.h>
 #include <datasets/error.h>
 #include <datasets/field_program.h>
+#include <datasets/median_step.h>
 
 #include <fmt/format.h>
 
@@ -25,16 +26,6 @@ namespace swimtwin
       std::size_t index = 0;
       std::string sentence;
     };
-
-    double median_step(const std::vector<double> &time_s)
-    {
-      std::vector<double> steps;
-      for (std::size_t i = 1; i < time_s.size(); ++i)
-        steps.push_back(time_s[i] - time_s[i - 1]);
-      const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-      std::nth_element(steps.begin(), middle, steps.end());
-      return *middle;
-    }
 
     std::optional<SampleProblem> find_disorder(const std::vector<double> &time_s, const double period_s)
     {

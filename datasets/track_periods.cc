@@ -1,3 +1,4 @@
+#include <datasets/median_step.h>
 #include <datasets/track_periods.h>
 
 #include <algorithm>
@@ -12,16 +13,6 @@ namespace swimtwin
 
     constexpr double largest_gap = 2.5;  // of the frames around the end of a period, in median intervals
     constexpr double time_slack  = 1e-6; // of a period, for a track that ends with it
-
-    double median_interval(const std::vector<double> &time_s)
-    {
-      std::vector<double> steps;
-      for (std::size_t i = 1; i < time_s.size(); ++i)
-        steps.push_back(time_s[i] - time_s[i - 1]);
-      const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-      std::nth_element(steps.begin(), middle, steps.end());
-      return *middle;
-    }
 
     /// First of the four frames around a time.
     std::size_t stencil(const std::vector<double> &time_s, const double time)
@@ -85,7 +76,7 @@ namespace swimtwin
     TrackPeriods      periods;
     const double      length = std::hypot(direction[0], direction[1]);
     const Vector      e{direction[0] / length, direction[1] / length};
-    const double      median_s = median_interval(track.time_s);
+    const double      median_s = median_step(track.time_s);
     const PeriodRange whole    = whole_periods(track);
     periods.frames_per_period  = 1. / (track.frequency_Hz * median_s);
     for (int number = whole.first; number <= whole.last; ++number)
