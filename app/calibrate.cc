@@ -4,11 +4,10 @@
 #include <app/calibration_input.h>
 #include <app/calibration_pictures.h>
 #include <app/calibration_report.h>
-#include <app/sweep_report.h>
 #include <app/fitted_scene.h>
 #include <app/full_order_build.h>
 #include <app/full_order_run.h>
-#include <app/plots.h>
+#include <app/illustrated_page.h>
 #include <app/progress_bar.h>
 #include <app/verb.h>
 
@@ -101,17 +100,10 @@ namespace swimtwin
     void draw_and_write_page(const CalibrateCommand &command, const CalibrationResult &result)
     {
       const CommonOptions &common = command.common;
-      Illustrations        illustrations;
-      if (!command.no_picture && gnuplot_is_installed())
-        illustrations.pictures = draw_pictures(common.output / "pictures", calibration_pictures(result),
-                                               common.command_line, illustrations.warning);
-      else if (!command.no_picture)
-        illustrations.warning =
-            "no picture was drawn because gnuplot is not installed; install it with `apt-get install gnuplot-nox`";
-      const HtmlPage page = calibration_page(result, common.output.filename().string(), illustrations);
-      write_text_atomically(common.output / page_name, page.text());
-      if (!illustrations.warning.empty())
-        fmt::print(stderr, "swimtwin: {}\n", illustrations.warning);
+      Illustrations        drawn;
+      if (!command.no_picture)
+        drawn = illustrate(common.output, calibration_pictures(result), common.command_line);
+      write_illustrated_page(common.output, calibration_page(result, common.output.filename().string(), drawn), drawn);
     }
 
     void print_warnings(const std::vector<std::string> &warnings)

@@ -1,15 +1,14 @@
 // Verb optimize: the field that swims fastest within what coils can play, and proof of it.
 #include <app/field_replay.h>
 #include <app/full_order_build.h>
+#include <app/illustrated_page.h>
 #include <app/model_card.h>
 #include <app/number_text.h>
 #include <app/optimize.h>
 #include <app/plan_files.h>
 #include <app/plan_pictures.h>
 #include <app/plan_report.h>
-#include <app/plots.h>
 #include <app/run_picture.h>
-#include <app/sweep_report.h>
 #include <app/value_list.h>
 #include <app/verb.h>
 
@@ -123,17 +122,10 @@ namespace swimtwin
 
     void draw_and_write_page(const OptimizeCommand &command, const PlanFolder &folder)
     {
-      const CommonOptions &common = command.common;
-      Illustrations        illustrations;
-      if (!command.no_picture && gnuplot_is_installed())
-        illustrations.pictures = draw_pictures(common.output / "pictures", plan_pictures(folder), common.command_line,
-                                               illustrations.warning);
-      else if (!command.no_picture)
-        illustrations.warning =
-            "no picture was drawn because gnuplot is not installed; install it with `apt-get install gnuplot-nox`";
-      write_text_atomically(common.output / page_name, plan_page(folder, illustrations).text());
-      if (!illustrations.warning.empty())
-        fmt::print(stderr, "swimtwin: {}\n", illustrations.warning);
+      Illustrations drawn;
+      if (!command.no_picture)
+        drawn = illustrate(command.common.output, plan_pictures(folder), command.common.command_line);
+      write_illustrated_page(command.common.output, plan_page(folder, drawn), drawn);
     }
 
     PlanResult make_plan(const OptimizeCommand &command, const ReducedModel &model, const Scene &scene, GoalFile &file)

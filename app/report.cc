@@ -2,6 +2,7 @@
 #include <app/calibration_pictures.h>
 #include <app/calibration_report.h>
 #include <app/frequency_picture.h>
+#include <app/illustrated_page.h>
 #include <app/plan_pictures.h>
 #include <app/plan_report.h>
 #include <app/plots.h>
@@ -130,12 +131,6 @@ namespace swimtwin
       return calibration_page(fit.result, fit.name, illustrations);
     }
 
-    void warn(const std::string &warning)
-    {
-      if (!warning.empty())
-        fmt::print(stderr, "swimtwin: {}\n", warning);
-    }
-
     template <typename Results>
     void write_page(const Results &results, const CommonOptions &options)
     {
@@ -145,11 +140,9 @@ namespace swimtwin
       HtmlPage            page          = page_of(results, illustrations, options.output);
       page.add_paragraph(
           fmt::format("Page made by {} on {} with `{}`.", SWIMTWIN_VERSION, utc_time_now(), options.command_line));
-      const fs::path file = options.output / page_name;
-      write_text_atomically(file, page.text());
-      warn(illustrations.warning);
+      write_illustrated_page(options.output, page, illustrations);
       if (!options.quiet)
-        fmt::print("report in {}\n", file.string());
+        fmt::print("report in {}\n", (options.output / page_name).string());
     }
 
     void report(const ReportOptions &options)
@@ -171,7 +164,8 @@ namespace swimtwin
         return write_page(read_sweep(options.folder), common);
       const RunFolder run = read_run(options.folder);
       write_page(run, common);
-      warn(run.warning);
+      if (!run.warning.empty())
+        fmt::print(stderr, "swimtwin: {}\n", run.warning);
     }
   } // namespace
 

@@ -39,20 +39,6 @@ namespace swimtwin
     }
   } // namespace
 
-  void add_illustrations(HtmlPage &page, const Illustrations &illustrations)
-  {
-    if (!illustrations.warning.empty())
-      page.add_warning(illustrations.warning);
-    if (!illustrations.pictures.empty())
-      page.add_heading("Pictures");
-    for (const std::filesystem::path &png : illustrations.pictures)
-    {
-      std::string description = png.stem().string();
-      std::replace(description.begin(), description.end(), '_', ' ');
-      page.add_picture(png, description);
-    }
-  }
-
   HtmlPage run_page(const RunFolder &run, const Illustrations &illustrations)
   {
     const auto &[summary, provenance] = run.record;

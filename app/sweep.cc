@@ -148,12 +148,8 @@ namespace swimtwin
     void draw(const CommonOptions &common, const std::vector<FrequencyCurve> &curves)
     {
       std::string warning;
-      if (gnuplot_is_installed())
-        draw_pictures(common.output / "pictures", {frequency_picture(curves, common.output.filename().string())},
-                      common.command_line, warning);
-      else
-        warning =
-            "no picture was drawn because gnuplot is not installed; install it with `apt-get install gnuplot-nox`";
+      draw_pictures(common.output / "pictures", {frequency_picture(curves, common.output.filename().string())},
+                    common.command_line, warning);
       if (!warning.empty())
         fmt::print(stderr, "swimtwin: {}\n", warning);
     }

@@ -8,9 +8,6 @@
 
 namespace swimtwin
 {
-  /// The file that a page is, in the folder of --output.
-  inline constexpr const char *page_name = "report.html";
-
   /// Verdict, curves with their peaks, runs, table. Runs that have a page are linked, as seen from `page_folder`.
   HtmlPage sweep_page(const SweepFolder &sweep, const Illustrations &illustrations,
                       const std::filesystem::path &page_folder);
