@@ -9,7 +9,7 @@
 
 namespace swimtwin
 {
-  /// Keeps the best point by the periods that had been integrated when it was found.
+  /// Keeps the best point by what it had cost when it was found.
   class CostRecord
   {
   public:
@@ -17,10 +17,11 @@ namespace swimtwin
 
     void note(const Evaluation &evaluation, const long n_periods)
     {
+      ++n_evaluations_;
       if (evaluation.failed())
         return;
       const double violation = std::max(0., evaluation.constraints.size() ? evaluation.constraints.maxCoeff() : 0.);
-      const PlanTraceStep step{n_periods, evaluation.objective, violation};
+      const PlanTraceStep step{n_periods, evaluation.objective, violation, n_evaluations_};
       if (trace_.empty() || better(step, trace_.back()))
         trace_.push_back(step);
     }
@@ -37,6 +38,7 @@ namespace swimtwin
     }
 
     double                     tolerance_;
+    long                       n_evaluations_ = 0;
     std::vector<PlanTraceStep> trace_;
   };
 } // namespace swimtwin

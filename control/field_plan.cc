@@ -114,13 +114,19 @@ namespace swimtwin
       {
         tell("the optimal field");
         std::vector<FieldStart> starts = starts_of_optimum();
-        long                    spent  = 0;
+        FieldFound              before;
         if (goal_.family == FieldFamily::general)
-          starts.front() = symmetric_optimum(spent);
+        {
+          before         = search(FieldVariables(goal_.n_harmonics, FieldFamily::symmetric), {tuned_}).front();
+          starts.front() = start_from(before, tuned_);
+        }
         std::vector<FieldFound> found = search(fields_, starts);
-        found.front().n_periods += spent;
+        found.front().n_periods += before.n_periods;
         for (PlanTraceStep &step : found.front().trace)
-          step.n_periods += spent;
+        {
+          step.n_periods += before.n_periods;
+          step.n_evaluations += before.minimum.n_evaluations;
+        }
         const FieldFound &best = best_of(found);
         optimal_               = start_from(best, tuned_);
         n_periods_of_best_     = best.n_periods;
@@ -136,14 +142,6 @@ namespace swimtwin
              starts_around(tuned_, fields_, goal_, options_.n_starts, part_around, options_.seed))
           starts.push_back(start);
         return starts;
-      }
-
-      FieldStart symmetric_optimum(long &n_periods) const
-      {
-        const FieldVariables          symmetric(goal_.n_harmonics, FieldFamily::symmetric);
-        const std::vector<FieldFound> found = search(symmetric, {tuned_});
-        n_periods                           = found.front().n_periods;
-        return start_from(found.front(), tuned_);
       }
 
       static FieldStart start_from(const FieldFound &found, const FieldStart &otherwise)

@@ -16,6 +16,7 @@ namespace swimtwin
     visit("n_periods", v.n_periods);
     visit("objective", v.objective);
     visit("violation", v.violation);
+    visit("n_evaluations", v.n_evaluations);
   }
 
   template <Like<PlannedField> Type, typename Visitor>

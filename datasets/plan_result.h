@@ -14,9 +14,10 @@ namespace swimtwin
 {
   struct PlanTraceStep
   {
-    long   n_periods = 0;  ///< integrated so far
-    double objective = 0.; ///< of the best field so far: of one that keeps to all limits, once there is one
-    double violation = 0.; ///< of its limits, relative
+    long   n_periods     = 0;  ///< integrated so far
+    double objective     = 0.; ///< of the best field so far: of one that keeps to all limits, once there is one
+    double violation     = 0.; ///< of its limits, relative
+    long   n_evaluations = 0;  ///< fields looked at so far, with derivatives or without
   };
 
   /// A periodic field and the motion that it makes.

@@ -20,7 +20,7 @@ namespace swimtwin
       field.mean_speed_m_s = speed;
       field.multipliers    = {0.5, 0.1};
       field.terms          = {{"mean_speed", speed}};
-      field.trace          = {{10, -1., 0.5}, {30, -2., 0.}};
+      field.trace          = {{10, -1., 0.5, 3}, {30, -2., 0., 8}};
       return field;
     }
   } // namespace
@@ -39,6 +39,7 @@ namespace swimtwin
     EXPECT_EQ(read.fields.size(), 2u);
     EXPECT_EQ(read.find(optimal_field_name)->bx_T, written.fields[1].bx_T);
     EXPECT_EQ(read.fields[0].trace[1].n_periods, 30);
+    EXPECT_EQ(read.fields[0].trace[1].n_evaluations, 8);
     EXPECT_TRUE(std::isnan(read.fields[0].kkt_residual)); // null in between
     EXPECT_EQ(read.trade_off[0].optimal_status, "stalled");
     EXPECT_EQ(read.warnings, written.warnings);
