@@ -24,9 +24,21 @@ namespace swimtwin
     by_state.head<2>() += 2. * (state.head<2>() - target_m_) / square(scale_m_);
   }
 
+  double OffsetTerm::terminal(const Eigen::Ref<const Eigen::VectorXd> &state) const
+  {
+    return by_position_1_m_.dot(state.head<2>() - place_m_);
+  }
+
+  void OffsetTerm::add_terminal_gradient(const Eigen::Ref<const Eigen::VectorXd> & /*state*/,
+                                         Eigen::Ref<Eigen::VectorXd> by_state) const
+  {
+    by_state.head<2>() += by_position_1_m_;
+  }
+
   double TimedPathTerm::heading_error(const MotionInstant &instant, const PathPlace &place) const
   {
-    return std::remainder(instant.state[2] - std::atan2(-place.tangent.y(), -place.tangent.x()), 2. * std::numbers::pi);
+    return std::remainder(instant.state[2] - path_.direction_rad(place.arc_m) - std::numbers::pi,
+                          2. * std::numbers::pi);
   }
 
   double TimedPathTerm::running(const MotionInstant &instant) const

@@ -25,6 +25,23 @@ namespace swimtwin
     double          scale_m_;
   };
 
+  /// Offset of the head's centre from a place at the end, along a direction, per scale.
+  class OffsetTerm : public MotionFunctional
+  {
+  public:
+    OffsetTerm(const Eigen::Vector2d &place_m, const Eigen::Vector2d &direction, double scale_m)
+        : place_m_(place_m), by_position_1_m_(direction / scale_m)
+    {
+    }
+
+    double terminal(const Eigen::Ref<const Eigen::VectorXd> &state) const override;
+    void   add_terminal_gradient(const Eigen::Ref<const Eigen::VectorXd> &state,
+                                 Eigen::Ref<Eigen::VectorXd>              by_state) const override;
+
+  private:
+    Eigen::Vector2d place_m_, by_position_1_m_;
+  };
+
   struct TimedPathOptions
   {
     double speed_m_per_period = 0.; ///< of the point to be followed; it stops at the path's end

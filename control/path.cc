@@ -26,7 +26,7 @@ namespace swimtwin
     {
       for (int i = points.empty() ? 0 : 1; i <= pieces_of_turn; ++i)
       {
-        const double a = 2. * pi * i / pieces_of_turn;
+        const double a = 2. * pi * (i % pieces_of_turn) / pieces_of_turn; // ends exactly where it began
         points.emplace_back(radius_m * std::sin(a), sign * radius_m * (1. - std::cos(a)));
       }
     }
@@ -135,6 +135,23 @@ namespace swimtwin
   double Path::heading_rad(const double arc_m) const
   {
     return heading_rad_[piece(arc_m)];
+  }
+
+  double Path::half_turn_rad(const std::size_t point) const
+  {
+    const bool is_end = point == 0 || point + 1 == points_m_.size();
+    if (is_end && !closed_)
+      return 0.;
+    const double turn = is_end ? std::remainder(heading_rad_.front() - heading_rad_.back(), 2. * pi)
+                               : heading_rad_[point] - heading_rad_[point - 1];
+    return std::abs(turn) > corner_rad ? 0. : 0.5 * turn;
+  }
+
+  double Path::direction_rad(const double arc_m) const
+  {
+    const std::size_t i    = piece(arc_m);
+    const double      part = std::clamp((arc_m - arc_m_[i]) / (arc_m_[i + 1] - arc_m_[i]), 0., 1.);
+    return heading_rad_[i] - (1. - part) * half_turn_rad(i) + part * half_turn_rad(i + 1);
   }
 
   Path Path::placed(const double angle_rad, const Eigen::Vector2d &shift_m) const

@@ -41,6 +41,9 @@ namespace swimtwin
     PathPlace nearest(const Eigen::Vector2d &point_m, double from_m, double to_m) const;
     /// Angle of the path's direction at an arc length, continued along the path from its start (rad).
     double heading_rad(double arc_m) const;
+    /// The same of the curve that pieces stand for: linear in arc length between a curve's points, as on a circle, with
+    /// jumps at corners alone.
+    double direction_rad(double arc_m) const;
 
     /// Turned about the origin, then shifted.
     Path placed(double angle_rad, const Eigen::Vector2d &shift_m) const;
@@ -50,6 +53,8 @@ namespace swimtwin
   private:
     std::size_t piece(double arc_m) const;
     bool        is_corner(std::size_t point) const;
+    /// Half of the turn at a point; 0 at a corner and at an open path's ends.
+    double half_turn_rad(std::size_t point) const;
 
     std::vector<Eigen::Vector2d> points_m_;
     std::vector<double>          arc_m_, heading_rad_; ///< of points; of pieces

@@ -102,7 +102,7 @@ namespace swimtwin
     {
       const PathPlace place =
           path_.nearest(means[i - 1].position_m, arc_m, std::min(arc_m + 0.5 * swimmer_.length_m(), path_.length_m()));
-      const double wanted = std::atan2(-place.tangent.y(), -place.tangent.x());
+      const double wanted = path_.direction_rad(place.arc_m) + std::numbers::pi;
       rows.add(weight * ahead[i].by_parameters.row(2),
                weight * std::remainder(ahead[i].state[2] - wanted, 2. * std::numbers::pi));
     }

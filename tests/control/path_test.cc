@@ -99,4 +99,14 @@ namespace swimtwin
     EXPECT_THROW(Path::through({{1., 1.}, {1., 1.}}), InputError);
     EXPECT_THROW(Path::through({{1., 1.}, {NAN, 1.}}), InputError);
   }
+
+  TEST(Paths, DirectionOfACircleIsLinearInItsArc)
+  {
+    const Path circle = Path::circle(2.).placed(0.7, {1., 0.});
+    for (const double share : {0., 0.1234, 0.5, 0.77777, 1.})
+      EXPECT_NEAR(circle.direction_rad(share * circle.length_m()), 0.7 + 2. * std::numbers::pi * share, 1e-9);
+    const Path square = Path::square(1.);
+    EXPECT_DOUBLE_EQ(square.direction_rad(0.999), 0.);
+    EXPECT_DOUBLE_EQ(square.direction_rad(1.001), std::numbers::pi / 2.);
+  }
 } // namespace swimtwin
