@@ -1,3 +1,4 @@
+#include <control/goal_entries.h>
 #include <control/goal_file.h>
 #include <datasets/csv_table.h>
 #include <datasets/error.h>
@@ -41,15 +42,6 @@ namespace swimtwin
                         "is missing, and so is every other term; give at least one a positive weight.");
     }
 
-    void read_swimmer(const TomlDocument &document, SwimmingGoal &goal)
-    {
-      TomlTable table(document, "swimmer");
-      table.number("young_modulus_Pa", {"Pa", positive}, goal.swimmer.young_modulus_Pa);
-      table.number("viscosity_Pa_s", {"Pa s", positive}, goal.swimmer.viscosity_Pa_s);
-      table.number("magnetization_A_m", {"A/m", any_number}, goal.swimmer.magnetization_A_m);
-      table.finish();
-    }
-
     void read_field(const TomlDocument &document, const ReducedModel &model, GoalFile &file)
     {
       TomlTable table(document, "field");
@@ -72,28 +64,12 @@ namespace swimtwin
                                     f.low, f.high, model.range.frequency_Hz.low, model.range.frequency_Hz.high));
     }
 
-    /// coil_1_A_T = [a, b], coil_2_A_T, ...: current = a bx + b by.
-    void read_coils(TomlTable &table, FieldLimits &limits)
-    {
-      std::vector<std::array<double, 2>> rows;
-      for (std::string key = "coil_1_A_T"; table.has(key); key = fmt::format("coil_{}_A_T", rows.size() + 1))
-        table.pair(key, {"A/T", any_number}, rows.emplace_back());
-      limits.current_per_field_A_T.resize(static_cast<Eigen::Index>(rows.size()), 2);
-      for (std::size_t i = 0; i < rows.size(); ++i)
-        limits.current_per_field_A_T.row(static_cast<Eigen::Index>(i)) << rows[i][0], rows[i][1];
-      table.number("coil_current_A", {"A", positive}, limits.current_A);
-    }
-
     void read_limits(const TomlDocument &document, SwimmingGoal &goal)
     {
       TomlTable    table(document, "limits");
       double       heading_deg = infinity;
       FieldLimits &field       = goal.field;
-      table.number("magnitude_T", {"T", positive}, field.magnitude_T);
-      table.number("bx_T", {"T", positive}, field.component_T[0]);
-      table.number("by_T", {"T", positive}, field.component_T[1]);
-      table.number("slew_rate_T_s", {"T/s", positive}, field.slew_rate_T_s);
-      read_coils(table, field);
+      read_field_limits(table, field);
       table.number("largest_multiplier", {"", positive}, goal.motion.largest_multiplier);
       table.number("heading_deviation_deg", {"degrees", positive}, heading_deg);
       table.number("tail_strain", {"", positive}, goal.motion.tail_strain);
@@ -164,7 +140,7 @@ namespace swimtwin
       root.table(table);
     root.finish();
     read_objective(document, file.goal);
-    read_swimmer(document, file.goal);
+    read_swimmer(document, "swimmer", file.goal.swimmer);
     read_field(document, model, file);
     read_limits(document, file.goal);
     read_search(document, file.options);

@@ -1,3 +1,5 @@
+#include <control/goal_entries.h>
+#include <control/steering_limits.h>
 #include <control/tracking_goal.h>
 #include <datasets/csv_table.h>
 #include <datasets/error.h>
@@ -21,12 +23,11 @@ namespace swimtwin
          {"square", PathShape::square},
          {"figure-eight", PathShape::figure_eight},
          {"waypoints", PathShape::waypoints}}};
-    constexpr std::array<std::pair<std::string_view, TrackingKind>, 2> kinds = {
-        {{"path", TrackingKind::path}, {"closed-loop", TrackingKind::closed_loop}}};
+    constexpr std::array<std::pair<std::string_view, TrackingKind>, 3> kinds = {
+        {{"path", TrackingKind::path}, {"closed-loop", TrackingKind::closed_loop}, {"target", TrackingKind::target}}};
     constexpr std::array<std::pair<std::string_view, PlantKind>, 2> plants = {
         {{"reduced", PlantKind::reduced}, {"full-order", PlantKind::full_order}}};
-    constexpr Range  share{0., 1., true, false, "be above 0 and at most 1"};
-    constexpr double default_bound_T = 5e-3 * std::numbers::sqrt2; // of the reference study's coils
+    constexpr Range share{0., 1., true, false, "be above 0 and at most 1"};
 
     std::vector<Eigen::Vector2d> read_waypoints(TomlTable &table)
     {
@@ -58,37 +59,6 @@ namespace swimtwin
                          : shape == PathShape::figure_eight ? Path::figure_eight(*size)
                                                             : Path::through(points);
       return part ? whole.first(*part) : whole;
-    }
-
-    void read_swimmer(const TomlDocument &document, const std::string &name, SwimmerParameters &values)
-    {
-      TomlTable table(document, name);
-      table.number("young_modulus_Pa", {"Pa", positive}, values.young_modulus_Pa);
-      table.number("viscosity_Pa_s", {"Pa s", positive}, values.viscosity_Pa_s);
-      table.number("magnetization_A_m", {"A/m", any_number}, values.magnetization_A_m);
-      table.finish();
-    }
-
-    Drive read_carrier(const TomlDocument &document, const Scene &scene)
-    {
-      const bool            is_sinusoid = scene.field.waveform() == FieldProgram::Waveform::sinusoidal;
-      const Need            need        = is_sinusoid ? Need::optional : Need::required;
-      std::optional<double> bx, by, frequency, bound;
-      TomlTable             table(document, "carrier");
-      table.number("bx_T", {"T", any_number, need}, bx);
-      table.number("by_T", {"T", any_number, need}, by);
-      table.number("frequency_Hz", {"Hz", positive, need}, frequency);
-      table.number("largest_field_T", {"T", positive}, bound);
-      table.finish();
-      const double x = bx.value_or(scene.field.bx_T()), y = by.value_or(scene.field.by_T());
-      const double limit = bound.value_or(default_bound_T), size = std::hypot(x, y);
-      if (size > limit * (1. + 1e-9))
-        document.refuse(
-            "carrier", "by_T",
-            fmt::format("makes a field of up to {:.4g} T with bx_T = {:.4g}, above largest_field_T = {:.4g}; "
-                        "lower one of them (turning the field keeps its size).",
-                        size, x, limit));
-      return make_drive(FieldProgram::sinusoidal(x, y, frequency.value_or(1. / scene.field.period_s())));
     }
 
     void read_follower(const TomlDocument &document, FollowerOptions &options)
@@ -125,27 +95,31 @@ namespace swimtwin
       options.seed = static_cast<unsigned int>(seed);
     }
 
-    /// Whether a disc of this radius about a point stays in the domain.
-    bool is_inside(const Domain &domain, const Eigen::Vector2d &point, const double margin)
+    /// Turns no faster than the limit on dB/dt leaves to the carrier.
+    void keep_slew_rate(const TomlDocument &document, TrackingGoal &goal)
     {
-      const Eigen::Vector2d p = point - Eigen::Vector2d(domain.center_m[0], domain.center_m[1]);
-      if (domain.shape == DomainShape::disc || domain.shape == DomainShape::annulus)
-        return p.norm() + margin <= domain.radius_m &&
-               (domain.shape == DomainShape::disc || p.norm() - margin >= domain.inner_radius_m);
-      return std::abs(p.x()) + margin <= 0.5 * domain.size_m[0] && std::abs(p.y()) + margin <= 0.5 * domain.size_m[1];
+      const FieldLimits limits = read_limits_of_turned_field(document, goal.carrier);
+      if (!std::isfinite(limits.slew_rate_T_s))
+        return;
+      double      &turn = goal.options.follower.max_turn_rad;
+      const double knot = SteeringPlan().knot_periods;
+      const double rate = largest_turn_rate(goal.carrier, limits.slew_rate_T_s, turn / knot);
+      if (rate <= 0.)
+        document.refuse("limits", "slew_rate_T_s",
+                        fmt::format("leaves no turn to a carrier that changes by {:.4g} T/s itself; raise it, or lower "
+                                    "[carrier] frequency_Hz or by_T.",
+                                    largest_slew_T_per_period(goal.carrier, 0.) * goal.carrier.frequency_Hz));
+      turn = rate * knot;
     }
 
     /// Along every piece of the path, not at its corners alone: a path must not lead through a wall.
     void require_inside(const TomlDocument &document, const Path &path, const Scene &scene)
     {
-      if (!scene.domain || scene.domain->moves_with_swimmer)
-        return;
       const Path placed =
           path.placed(scene.head.angle_rad + std::numbers::pi, {scene.head.center_m[0], scene.head.center_m[1]});
-      const double margin = 0.5 * std::hypot(scene.head.size_m[0], scene.head.size_m[1]);
-      const double step   = 0.5 * margin;
+      const double margin = head_margin_m(scene), step = 0.5 * margin;
       for (double arc = 0.; arc <= placed.length_m() + step; arc += step)
-        if (const Eigen::Vector2d point = placed.at(arc).point_m; !is_inside(*scene.domain, point, margin))
+        if (const Eigen::Vector2d point = placed.at(arc).point_m; !head_is_inside(scene, point))
           document.refuse("path", "shape",
                           fmt::format("leads the head within {:.3g} m of a wall, or through it, at ({:.4g}, {:.4g}) m, "
                                       "{:.4g} m after its start; shorten or move the path, or use a model without "
@@ -156,7 +130,7 @@ namespace swimtwin
 
   std::string to_string(const TrackingKind kind)
   {
-    return kind == TrackingKind::path ? "path" : "closed-loop";
+    return kind == TrackingKind::path ? "path" : kind == TrackingKind::target ? "target" : "closed-loop";
   }
 
   std::string to_string(const PlantKind kind)
@@ -164,12 +138,11 @@ namespace swimtwin
     return kind == PlantKind::reduced ? "reduced" : "full-order";
   }
 
-  bool is_tracking_goal(const std::filesystem::path &file)
+  bool is_target_goal(const std::filesystem::path &file)
   {
     const TomlDocument document(read_text_file(file, "the goal"), file.string(), {});
     const toml::node  *kind = document.find("kind");
-    const auto         word = kind ? kind->value<std::string>() : std::nullopt;
-    return word && (*word == "path" || *word == "closed-loop");
+    return kind && kind->value<std::string>() == "target";
   }
 
   TrackingGoal read_tracking_goal(const std::filesystem::path &file, const ReducedModel &model)
@@ -180,7 +153,7 @@ namespace swimtwin
     const TomlDocument document(goal.text, file.string(), {});
     TomlTable          top(document, "");
     top.choice("kind", Need::required, kinds, goal.kind);
-    for (const char *table : {"path", "carrier", "follower", "loop", "swimmer", "plant"})
+    for (const char *table : {"path", "carrier", "limits", "follower", "loop", "swimmer", "plant"})
       top.table(table);
     top.finish();
     goal.path     = read_path(document);
@@ -191,6 +164,7 @@ namespace swimtwin
     read_swimmer(document, "plant", goal.true_parameters);
     read_follower(document, goal.options.follower);
     read_loop(document, goal);
+    keep_slew_rate(document, goal);
     require_inside(document, goal.path, scene);
     const ReducedSwimmer swimmer(model);
     require_followable(goal.path, carrier_motion(swimmer, goal.believed, goal.carrier).lever_m);

@@ -1,4 +1,5 @@
 // A goal of the kinds "path" and "closed-loop", written in TOML: which path to swim, with which carrier, how it is led.
+// The kind "target" has a reader of its own, control/target_goal.h.
 #pragma once
 
 #include <control/closed_loop.h>
@@ -8,7 +9,7 @@
 
 namespace swimtwin
 {
-  enum class TrackingKind { path, closed_loop };
+  enum class TrackingKind { path, closed_loop, target };
   enum class PlantKind { reduced, full_order };
   std::string to_string(TrackingKind kind);
   std::string to_string(PlantKind kind);
@@ -26,10 +27,11 @@ namespace swimtwin
     double            sample_rate_Hz   = 1000.; ///< of the coils
   };
 
-  /// Whether the goal's `kind` is one of these. Throws InputError for a file that cannot be read.
-  bool is_tracking_goal(const std::filesystem::path &file);
+  /// Whether the goal's `kind` is "target". Throws InputError for a file that cannot be read.
+  bool is_target_goal(const std::filesystem::path &file);
 
   /// What the file leaves out is the model's scene's. Throws InputError with file, line, key, rule and remedy; also for
-  /// a carrier above the field's bound, for a path that leaves the domain, and for one that the swimmer cannot follow.
+  /// limits that the turned carrier does not keep, for a path that leaves the domain, and for one that the swimmer
+  /// cannot follow.
   TrackingGoal read_tracking_goal(const std::filesystem::path &file, const ReducedModel &model);
 } // namespace swimtwin

@@ -68,10 +68,11 @@ namespace swimtwin
     EXPECT_EQ(goal.plant, PlantKind::full_order);
   }
 
-  TEST_F(TrackingGoals, AreToldFromOthers)
+  TEST_F(TrackingGoals, AreToldFromTargets)
   {
-    EXPECT_TRUE(is_tracking_goal(file(circle)));
-    EXPECT_FALSE(is_tracking_goal(file("[objective]\nmean_speed = 1\n")));
+    EXPECT_FALSE(is_target_goal(file(circle)));
+    EXPECT_FALSE(is_target_goal(file("[objective]\nmean_speed = 1\n")));
+    EXPECT_TRUE(is_target_goal(file("kind = \"target\"\n")));
   }
 
   TEST_F(TrackingGoals, RefuseWhatCannotBe)
@@ -82,6 +83,33 @@ namespace swimtwin
     expect_refusal(circle + "[carrier]\nbx_T = 6e-3\nby_T = 6e-3\n", "above largest_field_T = 0.007071");
     expect_refusal(circle + "[loop]\nseeds = 3\n", "seeds");
     expect_refusal("kind = \"path\"\n[path]\nshape = \"circle\"\nsize_m = 1e-3\n", "than the swimmer can follow");
+  }
+
+  TEST_F(TrackingGoals, TurnNoFasterThanTheSlewRateAllows)
+  {
+    // At 0.9 Hz the carrier itself changes by 2 pi 0.9 Hz 5 mT = 28.3 mT/s.
+    expect_refusal(circle + "[limits]\nslew_rate_T_s = 0.028\n", "changes by 0.02827 T/s itself");
+    EXPECT_EQ(read(circle + "[limits]\nslew_rate_T_s = 1.0\n").options.follower.max_turn_rad, 0.5);
+    const TrackingGoal goal = read(circle + "[limits]\nslew_rate_T_s = 0.029\n");
+    EXPECT_GT(goal.options.follower.max_turn_rad, 0.);
+    // The fastest turn of all, there and back, as the coils play it.
+    SteeringPlan plan{goal.carrier, 0.5, Eigen::VectorXd::Zero(40)};
+    for (Eigen::Index k = 1; k < 40; ++k)
+      plan.angles_rad[k] = plan.angles_rad[k - 1] + (k % 20 < 10 ? 1. : -1.) * goal.options.follower.max_turn_rad;
+    const double step_s = 1. / goal.sample_rate_Hz, f = goal.carrier.frequency_Hz;
+    double       largest = 0.;
+    for (double time = 0.; time * f < 18.; time += step_s)
+      largest = std::max(largest, (plan.field_T((time + step_s) * f) - plan.field_T(time * f)).norm() / step_s);
+    EXPECT_LE(largest, 0.029);
+    EXPECT_GE(largest, 0.0285);
+  }
+
+  TEST_F(TrackingGoals, RefuseCoilsThatCannotTurnTheCarrier)
+  {
+    const std::string coils = "[limits]\ncoil_1_A_T = [300.0, 0.0]\ncoil_2_A_T = [0.0, 400.0]\n";
+    EXPECT_NO_THROW(read(circle + coils + "coil_current_A = 2.9\n"));
+    expect_refusal(circle + coils + "coil_current_A = 2.8\n", "the 2.828 A that coil 2 needs");
+    expect_refusal(circle + "[limits]\nbx_T = 6e-3\n", "largest field of 0.007071 T");
   }
 
   TEST_F(TrackingGoals, RefusePathsThroughWalls)
