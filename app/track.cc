@@ -1,8 +1,9 @@
-// Verb track: a field that leads the swimmer along a path, planned ahead or decided in real time.
+// Verb track: a field that leads the swimmer along a path, planned ahead or decided in real time, or to a target.
 #include <app/full_order_plant.h>
 #include <app/model_card.h>
 #include <app/plots.h>
 #include <app/progress_bar.h>
+#include <app/target.h>
 #include <app/track.h>
 #include <app/track_pictures.h>
 
@@ -80,7 +81,8 @@ namespace swimtwin
     void write(const CommonOptions &common, const TrackRecord &record)
     {
       write_track_table(common.output / track_table_name, record.result);
-      write_track_field(common.output / track_field_name, record.result, record.goal.sample_rate_Hz);
+      write_steered_field(common.output / track_field_name, record.result.plan, record.result.end_periods,
+                          record.goal.sample_rate_Hz);
       if (record.replay)
         write_track_table(common.output / replay_table_name, *record.replay);
       write_track_summary(common.output / track_summary_name, record);
@@ -89,8 +91,6 @@ namespace swimtwin
 
   void track_and_report(const TrackCommand &command)
   {
-    if (!is_speaker())
-      return;
     const CommonOptions &common = command.common;
     const ReducedModel   model  = read_reduced_model(find_model(command.model));
     const Scene          scene  = parse_scene(model.scene_text, model.scene_name + ".toml");
@@ -126,13 +126,22 @@ namespace swimtwin
   Work add_track(CLI::App &tool, const std::string &command_line)
   {
     auto  command = std::make_shared<TrackCommand>();
-    auto *verb    = tool.add_subcommand("track", "Lead the swimmer along a path, planned ahead or in closed loop");
+    auto *verb =
+        tool.add_subcommand("track", "Lead the swimmer along a path, planned ahead or in closed loop, or to a target");
     verb->add_option("model", command->model, "Reduced model (model.h5), or name of a shipped one")->required();
-    verb->add_option("goal", command->goal, "Which path, which carrier, which plant (TOML)")->required();
+    verb->add_option("goal", command->goal, "Which path or target, which carrier, which plant (TOML)")->required();
     add_output_options(*verb, command->common, OutputFolder::required);
-    verb->add_flag("--replay", command->with_replay, "Play the plan of a path blindly on the full-order model too");
+    verb->add_flag("--replay", command->with_replay,
+                   "Play the plan of a path or to a target blindly on the full-order model too");
     verb->add_flag("--no-picture", command->no_picture, "Draw nothing");
     command->common.command_line = command_line;
-    return [command] { track_and_report(*command); };
+    return [command] {
+      if (!is_speaker())
+        return;
+      if (is_target_goal(command->goal))
+        reach_and_report(*command);
+      else
+        track_and_report(*command);
+    };
   }
 } // namespace swimtwin

@@ -82,14 +82,15 @@ namespace swimtwin
     write_text_atomically(file, text + "\n");
   }
 
-  void write_track_field(const std::filesystem::path &file, const TrackResult &result, const double sample_rate_Hz)
+  void write_steered_field(const std::filesystem::path &file, const SteeringPlan &plan, const double n_periods,
+                           const double sample_rate_Hz)
   {
-    const double f = result.plan.carrier.frequency_Hz, end_s = result.end_periods / f;
+    const double f = plan.carrier.frequency_Hz, end_s = n_periods / f;
     std::string  text = fmt::format("# period_s = {:.17g}: played once, from rest\ntime_s,bx_T,by_T\n", end_s);
     for (long i = 0; static_cast<double>(i) / sample_rate_Hz < end_s - 1e-9; ++i)
     {
       const double          time = static_cast<double>(i) / sample_rate_Hz;
-      const Eigen::Vector2d b    = result.plan.field_T(time * f);
+      const Eigen::Vector2d b    = plan.field_T(time * f);
       fmt::format_to(std::back_inserter(text), "{:.10g},{:.9g},{:.9g}\n", time, b.x(), b.y());
     }
     write_text_atomically(file, text);

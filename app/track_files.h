@@ -28,6 +28,7 @@ namespace swimtwin
   /// One row per decision.
   void write_track_table(const std::filesystem::path &file, const TrackResult &result);
   /// The field as the coils play it, from rest to the end.
-  void write_track_field(const std::filesystem::path &file, const TrackResult &result, double sample_rate_Hz);
+  void write_steered_field(const std::filesystem::path &file, const SteeringPlan &plan, double n_periods,
+                           double sample_rate_Hz);
   void write_track_summary(const std::filesystem::path &file, const TrackRecord &record);
 } // namespace swimtwin

@@ -67,6 +67,37 @@ namespace swimtwin
     EXPECT_EQ(FieldProgram::read_csv(folder.path / "results/field.csv", end).b_T().size(), table.n_rows());
   }
 
+  TEST_F(TrackVerb, SwimsToATarget)
+  {
+    const Outcome outcome = track("kind = \"target\"\n[target]\nposition_m = [8e-4, 1e-4]\ndistance = 0.02\n"
+                                  "sample_rate_Hz = 100.0\n");
+    ASSERT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_NE(outcome.output.find("arrived after"), std::string::npos) << outcome.output;
+    const CsvTable table = CsvTable::read(folder.path / "results/track.csv");
+    EXPECT_LE(table.column("distance_m").back(), 0.0201 * 7.75e-3);
+    const auto json = nlohmann::json::parse(content(folder.path / "results/track.json"));
+    EXPECT_EQ(json["kind"], "target");
+    EXPECT_EQ(json["status"], "arrived");
+    EXPECT_NEAR(json["duration_s"].get<double>(), table.column("time_s").back(), 1e-9);
+    EXPECT_NEAR(json["end_distance_body_lengths"].get<double>(), table.column("distance_m").back() / 7.75e-3, 1e-4);
+    const CsvTable field = CsvTable::read(folder.path / "results/field.csv");
+    EXPECT_NEAR(field.column("time_s").back(), json["duration_s"].get<double>(), 0.0101);
+  }
+
+  TEST_F(TrackVerb, SaysWhichTargetIsInfeasible)
+  {
+    // Above what a settled swim needs straight on, below what the start from rest and the turn leave.
+    const std::string target = "kind = \"target\"\n[target]\nposition_m = [-6e-4, 0.0]\n";
+    const Outcome     late   = track(target + "time_limit_s = 3.0\n");
+    EXPECT_EQ(late.code, 2);
+    EXPECT_NE(late.errors.find("infeasible"), std::string::npos) << late.errors;
+    EXPECT_EQ(nlohmann::json::parse(content(folder.path / "results/track.json"))["status"], "infeasible");
+    EXPECT_FALSE(std::filesystem::exists(folder.path / "results/field.csv"));
+    const Outcome far = track(target + "time_limit_s = 0.5\n", {"--force"});
+    EXPECT_EQ(far.code, 2);
+    EXPECT_NE(far.errors.find("time_limit_s = 0.5 is too short"), std::string::npos) << far.errors;
+  }
+
   TEST_F(TrackVerb, RefusesBadGoalsAndAMissingPlant)
   {
     const Outcome tight = track("kind = \"path\"\n[path]\nshape = \"circle\"\nsize_m = 1e-3\n");

@@ -1,0 +1,118 @@
+#include <app/full_order_plant.h>
+#include <app/model_card.h>
+#include <app/plots.h>
+#include <app/target.h>
+#include <app/target_pictures.h>
+#include <app/track_files.h>
+
+#include <datasets/error.h>
+#include <datasets/output_folder.h>
+#include <rom/swimmer_integrator.h>
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+
+namespace swimtwin
+{
+  namespace
+  {
+    void add_swim(const ReducedSwimmer &swimmer, TargetRecord &record)
+    {
+      const TargetGoal &goal = record.goal;
+      const int         n    = record.way.n_periods;
+      ReducedPlant      plant(swimmer, goal.swimmer, goal.start);
+      record.swim = swim_to_target(plant, record.way.plan, n, goal.target_m);
+      SwimmerIntegrator integrator(swimmer, {.max_step_periods = IntegratorOptions().max_step_periods / n});
+      const SwimmerRun  run = integrator.run({goal.swimmer, window_of(record.way.plan, 0., n), goal.start, 1, 0});
+      if (run.largest_shape_radius > 1.)
+        record.warnings.push_back(fmt::format(
+            "the tail bends {:.3g} times as far as the model was trained for; say --replay to know how near "
+            "the swimmer comes",
+            run.largest_shape_radius));
+    }
+
+    void add_replay(const Scene &scene, TargetRecord &record)
+    {
+      const auto plant =
+          make_full_order_plant(scene, {record.goal.steps_per_second, record.way.plan.carrier.frequency_Hz});
+      record.replay = swim_to_target(*plant, record.way.plan, record.way.n_periods, record.goal.target_m);
+    }
+
+    void write(const TrackCommand &command, const TargetRecord &record)
+    {
+      const std::filesystem::path folder = command.common.output;
+      if (!record.swim.empty())
+      {
+        write_swim_table(folder / track_table_name, record.swim);
+        write_steered_field(folder / track_field_name, record.way.plan, record.way.n_periods,
+                            record.goal.sample_rate_Hz);
+      }
+      if (record.replay)
+        write_swim_table(folder / replay_table_name, *record.replay);
+      write_target_summary(folder / track_summary_name, record);
+      std::string warning;
+      if (!command.no_picture && !record.swim.empty())
+        draw_pictures(folder / "pictures", target_pictures(record), command.common.command_line, warning);
+      if (!warning.empty())
+        fmt::print(stderr, "swimtwin: {}\n", warning);
+    }
+
+    void print(const TargetRecord &record, const CommonOptions &common)
+    {
+      const auto share = [&](const double distance_m) { return 100. * distance_m / record.body_length_m; };
+      fmt::print(
+          "  {} after {:.4g} s, {} periods at {:.4g} Hz; the head's centre ends {:.2f} % of a body length from the "
+          "target\n  straight on, the carrier needs {:.4g} s at least; search: {}, {}\n",
+          record.status(), record.way.time_s, record.way.n_periods, record.way.plan.carrier.frequency_Hz,
+          share(record.swim.back().distance_m), record.way.straight_time_s, to_string(record.way.minimum.status),
+          record.message());
+      if (record.replay)
+        fmt::print("  full-order replay  ends {:.2f} % of a body length from the target\n",
+                   share(record.replay->back().distance_m));
+      fmt::print("  results in {}\n", common.output.string());
+    }
+
+    double now_s()
+    {
+      return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+    }
+  } // namespace
+
+  void reach_and_report(const TrackCommand &command)
+  {
+    const CommonOptions &common = command.common;
+    const ReducedModel   model  = read_reduced_model(find_model(command.model));
+    const Scene          scene  = parse_scene(model.scene_text, model.scene_name + ".toml");
+    const ReducedSwimmer swimmer(model);
+    TargetRecord         record;
+    record.goal          = read_target_goal(command.goal, model);
+    record.body_length_m = swimmer.length_m();
+    record.model_file    = find_model(command.model).string();
+    if (command.with_replay)
+      make_full_order_plant(scene, {record.goal.steps_per_second, record.goal.carrier.frequency_Hz}); // or refuse now
+    prepare_output_folder(common.output, {track_table_name, track_summary_name, track_field_name, replay_table_name},
+                          common.force);
+    if (!common.quiet)
+      fmt::print("{}", model_card(model));
+    const double start = now_s();
+    record.way = fastest_way(swimmer, record.goal.swimmer, record.goal.carrier, record.goal.start, record.goal.target_m,
+                             record.goal.options);
+    if (record.way.found())
+      add_swim(swimmer, record);
+    if (record.way.found() && command.with_replay)
+      add_replay(scene, record);
+    record.provenance = {SWIMTWIN_VERSION, common.command_line, scene.text,
+                         scene.hash,       utc_time_now(),      now_s() - start};
+    write(command, record);
+    for (const std::string &warning : record.warnings)
+      fmt::print(stderr, "swimtwin: warning: {}\n", warning);
+    if (!record.way.found())
+      throw InputError(fmt::format("{}: the target is infeasible: {}; allow more time or a wider [target] distance, or "
+                                   "choose a nearer one.",
+                                   command.goal, record.message()));
+    if (!common.quiet)
+      print(record, common);
+  }
+} // namespace swimtwin
