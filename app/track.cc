@@ -57,11 +57,23 @@ namespace swimtwin
           100. * r.rms_distance_m / length_m, 100. * r.largest_distance_m / length_m, 100. * r.rms_swing_m / length_m);
     }
 
+    std::string describe_swing(const TrackResult &r, const double length_m)
+    {
+      if (r.axis.empty())
+        return "";
+      const AxisPoint &least = least_swinging(r.axis);
+      return fmt::format(
+          "  {:<18} the point {:.2g} mm behind the head's centre swings least: {:.1f} % of a body length "
+          "(rms) about its own mean, {:.1f} % off the head's path\n",
+          "", 1e3 * least.behind_m, 100. * least.rms_swing_m / length_m, 100. * least.rms_distance_m / length_m);
+    }
+
     void print(const TrackRecord &record, const CommonOptions &common)
     {
       const TrackResult &r = record.result;
       fmt::print("{}",
                  describe(record.goal.kind == TrackingKind::path ? "plan" : "closed loop", r, record.body_length_m));
+      fmt::print("{}", describe_swing(r, record.body_length_m));
       if (record.replay)
         fmt::print("{}", describe("full-order replay", *record.replay, record.body_length_m));
       fmt::print("  {} decisions: {:.2f} ms of CPU time on average, {:.2f} ms at most, {} too late\n  results in {}\n",

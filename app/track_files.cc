@@ -48,6 +48,16 @@ namespace swimtwin
       return all;
     }
 
+    nlohmann::ordered_json axis_points(const std::vector<AxisPoint> &points, const double length_m)
+    {
+      nlohmann::ordered_json json = nlohmann::ordered_json::array();
+      for (const AxisPoint &point : points)
+        json.push_back({{"behind_head_body_lengths", point.behind_m / length_m},
+                        {"rms_distance_body_lengths", point.rms_distance_m / length_m},
+                        {"rms_swing_body_lengths", point.rms_swing_m / length_m}});
+      return json;
+    }
+
     nlohmann::ordered_json numbers_of(const TrackResult &result, const double length_m)
     {
       const double           f = result.plan.carrier.frequency_Hz;
@@ -59,6 +69,7 @@ namespace swimtwin
       json["largest_distance_body_lengths"]  = result.largest_distance_m / length_m;
       json["rms_swing_of_head_body_lengths"] = result.rms_swing_m / length_m;
       json["rms_heading_error_rad"]          = result.rms_heading_rad;
+      json["axis_points"]                    = axis_points(result.axis, length_m);
       json["n_decisions"]                    = result.n_decisions;
       json["n_missed_deadlines"]             = result.n_missed;
       json["mean_decision_cpu_s"]            = result.mean_decision_s;

@@ -209,6 +209,14 @@ namespace swimtwin
         record_pose(now_);
       }
 
+      std::vector<PoseInstant> poses() const
+      {
+        std::vector<PoseInstant> poses;
+        for (const TrackedInstant &i : result_.instants)
+          poses.push_back({i.time_s * frequency_Hz(), i.pose, i.arc_m});
+        return poses;
+      }
+
       void summarise()
       {
         result_.end_periods = now_;
@@ -224,6 +232,7 @@ namespace swimtwin
           result_.n_missed += instant.decision_cpu_s > 0. && !instant.decided;
         }
         result_.n_decisions = static_cast<int>(result_.instants.size());
+        result_.axis        = swing_along_axis(poses(), path_, model_.length_m());
         for (double *square : {&result_.rms_distance_m, &result_.rms_swing_m, &result_.rms_heading_rad})
           *square = std::sqrt(*square);
       }

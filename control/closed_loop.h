@@ -1,6 +1,7 @@
 // A swimmer led along a path by decisions in real time, from what a camera sees of it.
 #pragma once
 
+#include <control/axis_swing.h>
 #include <control/path_follower.h>
 #include <control/plant.h>
 
@@ -49,11 +50,12 @@ namespace swimtwin
     std::vector<TrackedInstant> instants;              ///< on the path
     double                      start_periods = 0., end_periods = 0., lever_m = 0., advance_m = 0.;
 
-    double rms_distance_m = 0., largest_distance_m = 0.; ///< of the mean position
-    double rms_swing_m     = 0.;                         ///< of the head itself about the path
-    double rms_heading_rad = 0.;
-    double mean_decision_s = 0., largest_decision_s = 0.;
-    int    n_decisions = 0, n_missed = 0;
+    double                 rms_distance_m = 0., largest_distance_m = 0.; ///< of the mean position
+    double                 rms_swing_m     = 0.;                         ///< of the head itself about the path
+    double                 rms_heading_rad = 0.;
+    std::vector<AxisPoint> axis; ///< how points behind the head swing; empty for less than two periods
+    double                 mean_decision_s = 0., largest_decision_s = 0.;
+    int                    n_decisions = 0, n_missed = 0;
   };
 
   /// How the model swims in a carrier: its periodic motion, per period and when the field turns.

@@ -15,15 +15,18 @@ namespace swimtwin
   public:
     explicit CostRecord(const double tolerance) : tolerance_(tolerance) {}
 
-    void note(const Evaluation &evaluation, const long n_periods)
+    /// True if it is the best so far.
+    bool note(const Evaluation &evaluation, const long n_periods)
     {
       ++n_evaluations_;
       if (evaluation.failed())
-        return;
+        return false;
       const double violation = std::max(0., evaluation.constraints.size() ? evaluation.constraints.maxCoeff() : 0.);
       const PlanTraceStep step{n_periods, evaluation.objective, violation, n_evaluations_};
-      if (trace_.empty() || better(step, trace_.back()))
-        trace_.push_back(step);
+      if (!trace_.empty() && !better(step, trace_.back()))
+        return false;
+      trace_.push_back(step);
+      return true;
     }
 
     std::vector<PlanTraceStep> trace() const { return trace_; }

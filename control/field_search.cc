@@ -14,11 +14,12 @@ namespace swimtwin
     StrokeProblem strokes(task.model, task.swimmer, task.goal, variables, options.stroke);
     strokes.restart_from(start.state);
     CostRecord          record(options.search.feasibility_tolerance);
-    MinimizationProblem problem = field_box(variables, task.goal);
-    problem.n_constraints       = strokes.n_constraints();
-    problem.constraint_scale    = Eigen::VectorXd::Ones(problem.n_constraints); // all are relative to their limits
-    problem.constraint_names    = strokes.constraint_names();
-    problem.evaluate            = [&](const Eigen::VectorXd &x, const bool derivatives, Evaluation &evaluation) {
+    SwimmerState        best_start = start.state;
+    MinimizationProblem problem    = field_box(variables, task.goal);
+    problem.n_constraints          = strokes.n_constraints();
+    problem.constraint_scale       = Eigen::VectorXd::Ones(problem.n_constraints); // all are relative to their limits
+    problem.constraint_names       = strokes.constraint_names();
+    problem.evaluate               = [&](const Eigen::VectorXd &x, const bool derivatives, Evaluation &evaluation) {
       if (options.max_periods > 0 && strokes.n_periods() >= options.max_periods)
       {
         evaluation.failure = "the budget of periods is spent";
@@ -27,7 +28,8 @@ namespace swimtwin
       strokes.evaluate(x, derivatives, task.sizes, evaluation);
       // A search may miss a constraint by its tolerance; the field must not miss its limit.
       evaluation.constraints.array() += options.search.feasibility_tolerance;
-      record.note(evaluation, strokes.n_periods());
+      if (record.note(evaluation, strokes.n_periods()))
+        best_start = strokes.stroke(x, false).orbit.start; // that one again, not another motion in the same field
     };
     FieldFound found;
     found.minimum   = search_minimum(problem, variables.variables(start.drive), options.search);
@@ -37,6 +39,7 @@ namespace swimtwin
     if (found.minimum.x.size() == 0)
       return found;
     found.drive = variables.drive(found.minimum.x);
+    strokes.restart_from(best_start);
     if (const Stroke &stroke = strokes.stroke(found.minimum.x, false); stroke.found())
       found.start = stroke.orbit.start;
     return found;
