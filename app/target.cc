@@ -64,7 +64,7 @@ namespace swimtwin
       const auto share = [&](const double distance_m) { return 100. * distance_m / record.body_length_m; };
       fmt::print(
           "  {} after {:.4g} s, {} periods at {:.4g} Hz; the head's centre ends {:.2f} % of a body length from the "
-          "target\n  straight on, the carrier needs {:.4g} s at least; search: {}, {}\n",
+          "target\n  straight on and not turned, the carrier takes {:.4g} s; search: {}, {}\n",
           record.status(), record.way.time_s, record.way.n_periods, record.way.plan.carrier.frequency_Hz,
           share(record.swim.back().distance_m), record.way.straight_time_s, to_string(record.way.minimum.status),
           record.message());

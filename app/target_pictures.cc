@@ -93,8 +93,8 @@ unset multiplot
       picture.script = course_script;
       picture.set_text("heading", "Distance from the target, and field");
       picture.set_text("caption",
-                       fmt::format("{} periods at {} Hz; straight on, the carrier needs {} s", record.way.n_periods,
-                                   plain_number(record.way.plan.carrier.frequency_Hz, 4),
+                       fmt::format("{} periods at {} Hz; straight on and not turned, the carrier takes {} s",
+                                   record.way.n_periods, plain_number(record.way.plan.carrier.frequency_Hz, 4),
                                    plain_number(record.way.straight_time_s, 4)));
       picture.set("t_max", record.swim.back().time_s);
       picture.table.begin_block("time (s), distance (body lengths), bx, by (mT)");

@@ -84,10 +84,12 @@ namespace swimtwin
       options.frequency_Hz.high = std::min(options.frequency_Hz.high, limits.slew_rate_T_s / slew);
     }
 
+    /// What no steering makes up for: it gains a tenth where the target lies aside, by the turn itself.
     void require_time(const TomlDocument &document, const TargetGoal &goal, const ReducedSwimmer &swimmer)
     {
-      const double distance = (goal.target_m - goal.start.head<2>()).norm();
-      const double near     = goal.options.distance * swimmer.length_m();
+      constexpr double generous = 1.5;
+      const double     distance = (goal.target_m - goal.start.head<2>()).norm();
+      const double     near     = goal.options.distance * swimmer.length_m();
       if (distance <= near)
         document.refuse(
             "target", "position_m",
@@ -95,7 +97,7 @@ namespace swimtwin
                         "= {:.3g} m already; choose one farther away.",
                         distance, goal.options.distance, near));
       const StraightSwim swim = fastest_straight_swim(swimmer, goal.swimmer, goal.carrier, goal.options.frequency_Hz);
-      if (const double time = (distance - near) / swim.speed_m_s(); time > goal.options.time_limit_s)
+      if (const double time = (distance - near) / swim.speed_m_s(); time > generous * goal.options.time_limit_s)
         document.refuse(
             "target", "time_limit_s",
             fmt::format("is too short: straight on, the carrier swims {:.4g} m/s at most (at {:.4g} Hz), and "
