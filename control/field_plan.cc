@@ -155,6 +155,7 @@ namespace swimtwin
         FieldSearchOptions options     = options_.search;
         options.search.method          = options_.gradient_free;
         options.search.max_evaluations = 1'000'000;
+        options.search.max_restarts    = 1'000; // until its budget is spent, or a restart gains nothing
         options.max_periods = std::lround(options_.gradient_free_budget * static_cast<double>(n_periods_of_best_));
         const std::vector<FieldFound> found = {search_field(task_, fields_, tuned_, options)};
         result_.fields.push_back(measured_field(gradient_free_field_name, task_, found));

@@ -30,6 +30,9 @@ namespace swimtwin
       evaluation.constraints.array() += options.search.feasibility_tolerance;
       if (record.note(evaluation, strokes.n_periods()))
         best_start = strokes.stroke(x, false).orbit.start; // that one again, not another motion in the same field
+      // Steps without gradients are wide: the motion of a bad one may be another's start, and lead to a third.
+      if (!uses_gradients(options.search.method))
+        strokes.restart_from(best_start);
     };
     FieldFound found;
     found.minimum   = search_minimum(problem, variables.variables(start.drive), options.search);
