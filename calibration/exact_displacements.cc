@@ -3,6 +3,7 @@
 #include <datasets/parallel_for.h>
 
 #include <rom/sweep.h>
+#include <rom/trained_ratios.h>
 #include <rom/trust.h>
 
 #include <fmt/format.h>
@@ -199,7 +200,9 @@ namespace swimtwin
     for (const SwimmingCondition &condition : conditions_)
     {
       const RunRequest request = run_request(model_, condition, swimmer);
-      notes.push_back(trust_notes(model_.range, request, integrator.run(request)).text());
+      TrustNotes       trust   = trust_notes(model_.range, request, integrator.run(request));
+      trust.outside_range      = notes_outside_range(model_.range, request); // data know ratios, not parameters
+      notes.push_back(trust.text());
     }
     return notes;
   }

@@ -138,30 +138,30 @@ namespace swimtwin
       compare_ratios(forces, notes);
     }
 
-    /// Each parameter that is outside its own range: of a run that is outside, this is where to begin.
-    std::vector<std::string> single_notes(const TrainedRange &range, const RunRequest &request)
-    {
-      std::vector<std::string> notes;
-      const SwimmerParameters &p = request.parameters;
-      compare("young_modulus_Pa", p.young_modulus_Pa, range.young_modulus_Pa, notes);
-      compare("viscosity_Pa_s", p.viscosity_Pa_s, range.viscosity_Pa_s, notes);
-      compare("magnetization_A_m", p.magnetization_A_m, range.magnetization_A_m, notes);
-      compare("frequency_Hz", request.drive.frequency_Hz, range.frequency_Hz, notes);
-      if (is_reference_sinusoid(request.drive))
-      {
-        compare("bx_T", request.drive.parameters[0], range.bx_T, notes);
-        compare("by_T", request.drive.parameters[1], range.by_T, notes);
-      }
-      return notes;
-    }
   } // namespace
+
+  std::vector<std::string> parameters_outside_range(const TrainedRange &range, const RunRequest &request)
+  {
+    std::vector<std::string> notes;
+    const SwimmerParameters &p = request.parameters;
+    compare("young_modulus_Pa", p.young_modulus_Pa, range.young_modulus_Pa, notes);
+    compare("viscosity_Pa_s", p.viscosity_Pa_s, range.viscosity_Pa_s, notes);
+    compare("magnetization_A_m", p.magnetization_A_m, range.magnetization_A_m, notes);
+    compare("frequency_Hz", request.drive.frequency_Hz, range.frequency_Hz, notes);
+    if (is_reference_sinusoid(request.drive))
+    {
+      compare("bx_T", request.drive.parameters[0], range.bx_T, notes);
+      compare("by_T", request.drive.parameters[1], range.by_T, notes);
+    }
+    return notes;
+  }
 
   std::vector<std::string> notes_outside_range(const TrainedRange &range, const RunRequest &request)
   {
     std::vector<std::string> notes;
     compare_groups(range, request, notes);
     if (!notes.empty())
-      for (const std::string &note : single_notes(range, request))
+      for (const std::string &note : parameters_outside_range(range, request))
         if (std::find(notes.begin(), notes.end(), note) == notes.end())
           notes.push_back(note);
     return notes;

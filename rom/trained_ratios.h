@@ -16,4 +16,7 @@ namespace swimtwin
   /// others counts as trained; a magnetised tail was trained at its own magnetization, so that the head's must lie in
   /// its range, too. A range of zero width counts as the value to seven digits.
   std::vector<std::string> notes_outside_range(const TrainedRange &range, const RunRequest &request);
+
+  /// Each parameter that is outside its own range, one phrase each: "young_modulus_Pa = 5e+05 above 3e+05".
+  std::vector<std::string> parameters_outside_range(const TrainedRange &range, const RunRequest &request);
 } // namespace swimtwin

@@ -19,6 +19,9 @@ namespace swimtwin
   {
     TrustNotes notes;
     notes.outside_range = notes_outside_range(range, request);
+    if (notes.outside_range.empty())
+      if (notes.outside_range = parameters_outside_range(range, request); !notes.outside_range.empty())
+        notes.outside_range.emplace_back("a trained run has the same ratios");
     if (run.largest_shape_radius > 1.)
       notes.outside_region.push_back(
           fmt::format("shape at {:.3g} times the trained region's radius", run.largest_shape_radius));

@@ -13,7 +13,7 @@ namespace swimtwin
   struct TrustNotes
   {
     /// "E/(mu f) = 5e6 above 2e6", then the parameters that are outside by themselves, "young_modulus_Pa = 5e5 above
-    /// 3e5".
+    /// 3e5"; if those alone are, it says that a trained run has the same ratios.
     std::vector<std::string> outside_range;
     std::vector<std::string> outside_region; ///< "shape 1.2 times the trained region's radius"
 
@@ -22,7 +22,7 @@ namespace swimtwin
     std::string text() const;
   };
 
-  /// See notes_outside_range for what counts as outside the range.
+  /// Every prediction outside the range is marked, of the ratios (see notes_outside_range) or of a parameter alone.
   TrustNotes trust_notes(const TrainedRange &range, const RunRequest &request, const SwimmerRun &run);
 
   /// Estimated error of a displacement (m) from that of the model with fewer modes: what the last modes change. The

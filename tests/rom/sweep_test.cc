@@ -102,6 +102,18 @@ namespace swimtwin
     EXPECT_EQ(results[5].trust.outside_range.size(), 4u);
   }
 
+  TEST_F(Sweeps, FlagAParameterOutsideItsRangeAndSayWhenATrainedRunMovesAlike)
+  {
+    SweepAxes axes;
+    axes.young_modulus_Pa  = {1e5 * 10.};
+    axes.viscosity_Pa_s    = {model.range.viscosity_Pa_s.low * 10.};
+    axes.magnetization_A_m = {model.range.magnetization_A_m.low * 10.};
+    const std::string text = sweep(model, axes, options).front().trust.text();
+    EXPECT_NE(text.find("young_modulus_Pa = 1e+06 above"), std::string::npos) << text;
+    EXPECT_NE(text.find("; a trained run has the same ratios"), std::string::npos) << text;
+    EXPECT_EQ(text.find("E/("), std::string::npos) << text;
+  }
+
   TEST_F(Sweeps, FlagShapesAndAnglesThatLeaveTheTrainedRegion)
   {
     ReducedModel narrow = model;
