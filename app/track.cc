@@ -61,7 +61,7 @@ namespace swimtwin
     {
       if (r.axis.empty())
         return "";
-      const AxisPoint &least = least_swinging(r.axis);
+      const AxisPoint least = least_swinging(r.axis);
       return fmt::format(
           "  {:<18} the point {:.2g} mm behind the head's centre swings least: {:.1f} % of a body length "
           "(rms) about its own mean, {:.1f} % off the head's path\n",
@@ -74,6 +74,11 @@ namespace swimtwin
       fmt::print("{}",
                  describe(record.goal.kind == TrackingKind::path ? "plan" : "closed loop", r, record.body_length_m));
       fmt::print("{}", describe_swing(r, record.body_length_m));
+      if (const auto &point = record.goal.options.point)
+        fmt::print(
+            "  {:<18} the led point, {:.2g} mm behind the head's centre, is {:.2f} % of a body length off its path "
+            "at every instant (rms)\n",
+            "", 1e3 * point->behind_m, 100. * r.rms_point_m / record.body_length_m);
       if (record.replay)
         fmt::print("{}", describe("full-order replay", *record.replay, record.body_length_m));
       fmt::print("  {} decisions: {:.2f} ms of CPU time on average, {:.2f} ms at most, {} too late\n  results in {}\n",

@@ -62,18 +62,19 @@ namespace swimtwin
     {
       const double           f = result.plan.carrier.frequency_Hz;
       nlohmann::ordered_json json;
-      json["status"]                         = to_string(result.status);
-      json["message"]                        = result.message;
-      json["duration_s"]                     = (result.end_periods - result.start_periods) / f;
-      json["rms_distance_body_lengths"]      = result.rms_distance_m / length_m;
-      json["largest_distance_body_lengths"]  = result.largest_distance_m / length_m;
-      json["rms_swing_of_head_body_lengths"] = result.rms_swing_m / length_m;
-      json["rms_heading_error_rad"]          = result.rms_heading_rad;
-      json["axis_points"]                    = axis_points(result.axis, length_m);
-      json["n_decisions"]                    = result.n_decisions;
-      json["n_missed_deadlines"]             = result.n_missed;
-      json["mean_decision_cpu_s"]            = result.mean_decision_s;
-      json["largest_decision_cpu_s"]         = result.largest_decision_s;
+      json["status"]                             = to_string(result.status);
+      json["message"]                            = result.message;
+      json["duration_s"]                         = (result.end_periods - result.start_periods) / f;
+      json["rms_distance_body_lengths"]          = result.rms_distance_m / length_m;
+      json["largest_distance_body_lengths"]      = result.largest_distance_m / length_m;
+      json["rms_swing_of_head_body_lengths"]     = result.rms_swing_m / length_m;
+      json["rms_heading_error_rad"]              = result.rms_heading_rad;
+      json["rms_distance_of_point_body_lengths"] = result.rms_point_m / length_m;
+      json["axis_points"]                        = axis_points(result.axis, length_m);
+      json["n_decisions"]                        = result.n_decisions;
+      json["n_missed_deadlines"]                 = result.n_missed;
+      json["mean_decision_cpu_s"]                = result.mean_decision_s;
+      json["largest_decision_cpu_s"]             = result.largest_decision_s;
       return json;
     }
   } // namespace

@@ -50,9 +50,19 @@ namespace swimtwin
     return points;
   }
 
-  const AxisPoint &least_swinging(const std::vector<AxisPoint> &points)
+  AxisPoint least_swinging(const std::vector<AxisPoint> &points)
   {
-    return *std::min_element(points.begin(), points.end(),
-                             [](const AxisPoint &a, const AxisPoint &b) { return a.rms_swing_m < b.rms_swing_m; });
+    const auto       lowest = std::min_element(points.begin() + 1, points.end() - 1,
+                                               [](const auto &a, const auto &b) { return a.rms_swing_m < b.rms_swing_m; });
+    const AxisPoint *p      = &*lowest;
+    const auto       at     = [&](const double AxisPoint::*of, const double t) {
+      const auto square = [&](const int i) { return p[i].*of * p[i].*of; };
+      return square(0) + 0.5 * (square(1) - square(-1)) * t + 0.5 * (square(1) - 2. * square(0) + square(-1)) * t * t;
+    };
+    const auto   swing = [&](const double t) { return at(&AxisPoint::rms_swing_m, t); };
+    const double slope = 0.5 * (swing(1.) - swing(-1.)), curvature = swing(1.) - 2. * swing(0.) + swing(-1.);
+    const double t = curvature > 0. ? std::clamp(-slope / curvature, -1., 1.) : 0.;
+    return {p->behind_m + t * (p[1].behind_m - p->behind_m), std::sqrt(std::max(0., at(&AxisPoint::rms_distance_m, t))),
+            std::sqrt(std::max(0., swing(t)))};
   }
 } // namespace swimtwin

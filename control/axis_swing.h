@@ -28,6 +28,7 @@ namespace swimtwin
   /// period, in order; those nearer than half a period to an end give means only. Empty for less than two periods.
   std::vector<AxisPoint> swing_along_axis(const std::vector<PoseInstant> &instants, const Path &path, double length_m);
 
-  /// The one that swings least. Throws if there is none.
-  const AxisPoint &least_swinging(const std::vector<AxisPoint> &points);
+  /// The one that swings least, between those given too: squares of distances are quadratic along the axis. Of at least
+  /// three points, equally spaced.
+  AxisPoint least_swinging(const std::vector<AxisPoint> &points);
 } // namespace swimtwin

@@ -217,6 +217,24 @@ namespace swimtwin
         return poses;
       }
 
+      /// Both paths begin together; arc lengths correspond by their shares.
+      double distance_of_point(const LedPoint &point) const
+      {
+        const Path   path  = point.path.placed(pi, path_.points_m().front());
+        const double share = path.length_m() / path_.length_m(), reach = 0.5 * model_.length_m();
+        double       sum = 0.;
+        for (const TrackedInstant &i : result_.instants)
+        {
+          const double          angle = i.pose.angle_rad, arc = share * i.arc_m;
+          const Eigen::Vector2d place =
+              i.pose.position_m + point.behind_m * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+          sum +=
+              (place - path.nearest(place, std::max(0., arc - reach), std::min(arc + reach, path.length_m())).point_m)
+                  .squaredNorm();
+        }
+        return std::sqrt(sum / static_cast<double>(result_.instants.size()));
+      }
+
       void summarise()
       {
         result_.end_periods = now_;
@@ -235,6 +253,8 @@ namespace swimtwin
         result_.axis        = swing_along_axis(poses(), path_, model_.length_m());
         for (double *square : {&result_.rms_distance_m, &result_.rms_swing_m, &result_.rms_heading_rad})
           *square = std::sqrt(*square);
+        if (options_.point && !result_.instants.empty())
+          result_.rms_point_m = distance_of_point(*options_.point);
       }
 
       const ReducedSwimmer       &model_;

@@ -6,9 +6,17 @@
 #include <control/plant.h>
 
 #include <functional>
+#include <optional>
 
 namespace swimtwin
 {
+  /// A point of the body that is to go along a path, in the swimmer's frame as that of its front, which is led.
+  struct LedPoint
+  {
+    double behind_m = 0.; ///< the head's centre
+    Path   path     = Path::line(1.);
+  };
+
   struct ClosedLoopOptions
   {
     FollowerOptions follower             = {};
@@ -21,6 +29,7 @@ namespace swimtwin
     double          warm_up_periods                    = 3.;    ///< from rest, straight ahead, before the path begins
     double          max_periods                        = 2000.; ///< on the path
     double          end_distance                       = 0.01;  ///< body lengths from the path's end: arrived
+    std::optional<LedPoint>                point       = {};    ///< if it is not the head that shall be on the path
     std::function<void(double share_done)> on_progress = {};
   };
 
@@ -53,7 +62,8 @@ namespace swimtwin
     double                 rms_distance_m = 0., largest_distance_m = 0.; ///< of the mean position
     double                 rms_swing_m     = 0.;                         ///< of the head itself about the path
     double                 rms_heading_rad = 0.;
-    std::vector<AxisPoint> axis; ///< how points behind the head swing; empty for less than two periods
+    double                 rms_point_m     = 0.; ///< instantaneous, of the options' point from its own path
+    std::vector<AxisPoint> axis;                 ///< how points behind the head swing; empty for less than two periods
     double                 mean_decision_s = 0., largest_decision_s = 0.;
     int                    n_decisions = 0, n_missed = 0;
   };

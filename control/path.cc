@@ -171,6 +171,23 @@ namespace swimtwin
     return through(points);
   }
 
+  Path Path::of_front(const double ahead_m) const
+  {
+    std::vector<Eigen::Vector2d> points;
+    for (std::size_t i = 0; i < points_m_.size(); ++i)
+    {
+      if (is_corner(i))
+        throw InputError("a point behind the head cannot be led around a corner; choose a path without corners, or "
+                         "lead the head.");
+      const double          direction = i == 0 ? direction_rad(0.) : heading_rad_[i - 1] + half_turn_rad(i);
+      const Eigen::Vector2d front(std::cos(direction), std::sin(direction));
+      points.emplace_back(points_m_[i] + ahead_m * front);
+    }
+    for (std::size_t i = points.size(); i-- > 0;)
+      points[i] -= points[0];
+    return through(points);
+  }
+
   PathRequirement path_requirement(const Path &path, const double lever_m, const double heading_rad)
   {
     constexpr double excess_rad =

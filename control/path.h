@@ -47,6 +47,9 @@ namespace swimtwin
 
     /// Turned about the origin, then shifted.
     Path placed(double angle_rad, const Eigen::Vector2d &shift_m) const;
+    /// The way of a front that goes before a point on this path, along its direction: P + ahead t, shifted to begin at
+    /// the origin. Throws InputError for a path with corners, where the front would jump.
+    Path of_front(double ahead_m) const;
     /// The first part of it.
     Path first(double length_m) const;
 

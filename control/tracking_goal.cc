@@ -41,7 +41,8 @@ namespace swimtwin
       return points;
     }
 
-    Path read_path(const TomlDocument &document)
+    /// `behind`: the point that is to be on the path, body lengths behind the head's centre.
+    Path read_path(const TomlDocument &document, double &behind)
     {
       TomlTable             table(document, "path");
       PathShape             shape = PathShape::line;
@@ -49,6 +50,7 @@ namespace swimtwin
       table.choice("shape", Need::required, shapes, shape);
       table.number("size_m", {"m", positive, shape == PathShape::waypoints ? Need::optional : Need::required}, size);
       table.number("length_m", {"m", positive}, part);
+      table.number("point_behind", {"body lengths", not_negative}, behind);
       const std::vector<Eigen::Vector2d> points = read_waypoints(table);
       table.finish();
       if (shape == PathShape::waypoints && points.size() < 2)
@@ -93,6 +95,21 @@ namespace swimtwin
       table.choice("plant", Need::optional, plants, goal.plant);
       table.finish();
       options.seed = static_cast<unsigned int>(seed);
+    }
+
+    /// The head goes before the point, whose path begins behind the head's then.
+    void lead_point(const TomlDocument &document, const double behind_m, TrackingGoal &goal)
+    {
+      const Path wanted = goal.path;
+      try
+      {
+        goal.path = wanted.of_front(behind_m);
+      }
+      catch (const InputError &error)
+      {
+        document.refuse("path", "point_behind", std::string(": ") + error.what());
+      }
+      goal.options.point = LedPoint{behind_m, wanted.placed(0., {-behind_m, 0.})};
     }
 
     /// Turns no faster than the limit on dB/dt leaves to the carrier.
@@ -156,7 +173,8 @@ namespace swimtwin
     for (const char *table : {"path", "carrier", "limits", "follower", "loop", "swimmer", "plant"})
       top.table(table);
     top.finish();
-    goal.path     = read_path(document);
+    double behind = 0.;
+    goal.path     = read_path(document, behind);
     goal.carrier  = read_carrier(document, scene);
     goal.believed = swimmer_parameters(scene);
     read_swimmer(document, "swimmer", goal.believed);
@@ -165,8 +183,10 @@ namespace swimtwin
     read_follower(document, goal.options.follower);
     read_loop(document, goal);
     keep_slew_rate(document, goal);
-    require_inside(document, goal.path, scene);
     const ReducedSwimmer swimmer(model);
+    if (behind > 0.)
+      lead_point(document, behind * swimmer.length_m(), goal);
+    require_inside(document, goal.path, scene);
     require_followable(goal.path, carrier_motion(swimmer, goal.believed, goal.carrier).lever_m);
     return goal;
   }

@@ -9,7 +9,7 @@ namespace swimtwin
 {
   namespace
   {
-    constexpr double pi = std::numbers::pi, L = 8e-3, pivot = 0.4 * L, amplitude = 0.2, advance = 1e-4;
+    constexpr double pi = std::numbers::pi, L = 8e-3, pivot = 0.42 * L, amplitude = 0.2, advance = 1e-4;
 
     /// A bar that swings about a point on its axis, which goes straight on along -x.
     std::vector<PoseInstant> swinging_bar(const double n_periods)
@@ -31,8 +31,8 @@ namespace swimtwin
     const Path                   path   = Path::line(1.).placed(pi, {0.5, 0.});
     const std::vector<AxisPoint> points = swing_along_axis(swinging_bar(10.), path, L);
     ASSERT_EQ(points.size(), 21u);
-    EXPECT_NEAR(least_swinging(points).behind_m, pivot, 1e-12);
-    EXPECT_LE(least_swinging(points).rms_swing_m, 1e-6 * L);
+    EXPECT_NEAR(least_swinging(points).behind_m, pivot, 1e-4 * L);
+    EXPECT_LE(least_swinging(points).rms_swing_m, 1e-3 * L);
     // |p - mean| of a bar that turns by a: the distance times 2 sin(a / 2), to the second order in the amplitude.
     for (const AxisPoint &point : points)
       EXPECT_NEAR(point.rms_swing_m, std::abs(point.behind_m - pivot) * amplitude / std::sqrt(2.),

@@ -109,4 +109,14 @@ namespace swimtwin
     EXPECT_DOUBLE_EQ(square.direction_rad(0.999), 0.);
     EXPECT_DOUBLE_EQ(square.direction_rad(1.001), std::numbers::pi / 2.);
   }
+
+  TEST(Paths, TheFrontOfAPointOnACircleGoesOnAWiderOne)
+  {
+    const Path   front = Path::circle(2.).of_front(1.5);
+    const double wider = 2.5; // sqrt(2^2 + 1.5^2)
+    for (const Eigen::Vector2d &point : front.points_m())
+      EXPECT_NEAR((point - Eigen::Vector2d(-1.5, 2.)).norm(), wider, 1e-12);
+    EXPECT_NEAR(front.heading_rad(0.), std::atan2(1.5, 2.), 0.01);
+    EXPECT_THROW(Path::square(1.).of_front(0.1), InputError);
+  }
 } // namespace swimtwin

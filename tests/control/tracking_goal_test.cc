@@ -85,6 +85,17 @@ namespace swimtwin
     expect_refusal("kind = \"path\"\n[path]\nshape = \"circle\"\nsize_m = 1e-3\n", "than the swimmer can follow");
   }
 
+  TEST_F(TrackingGoals, LeadAPointBehindTheHeadOnASmoothPath)
+  {
+    const TrackingGoal goal = read(circle + "point_behind = 0.4\n");
+    const double       L    = ReducedSwimmer(open).length_m();
+    ASSERT_TRUE(goal.options.point);
+    EXPECT_NEAR(goal.options.point->behind_m, 0.4 * L, 1e-15);
+    EXPECT_NEAR(goal.path.length_m() / goal.options.point->path.length_m(), std::hypot(1., 0.4 * L / 8e-3), 1e-4);
+    expect_refusal("kind = \"path\"\n[path]\nshape = \"square\"\nsize_m = 2e-2\npoint_behind = 0.4\n",
+                   "around a corner");
+  }
+
   TEST_F(TrackingGoals, TurnNoFasterThanTheSlewRateAllows)
   {
     // At 0.9 Hz the carrier itself changes by 2 pi 0.9 Hz 5 mT = 28.3 mT/s.
