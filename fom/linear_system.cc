@@ -170,7 +170,11 @@ namespace swimtwin
     const ScopedCpuTime time(counts_.solve_cpu_s);
     PC                  pc;
     check_petsc(KSPGetPC(ksp_, &pc), "solved");
-    double before = residual_norm(), change_before = std::numeric_limits<double>::infinity();
+    // No guess: a residual costs more than what it would save.
+    VecZeroEntries(solution_);
+    VecCopy(rhs_, residual_);
+    double before, change_before = std::numeric_limits<double>::infinity();
+    VecNorm(residual_, NORM_2, &before);
     for (int n = 1; n <= most_corrections; ++n)
     {
       double change, size;
