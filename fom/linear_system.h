@@ -49,8 +49,8 @@ namespace swimtwin
     /// Factorise anew at the next solve, so that what follows does not depend on what was before.
     void forget_factors() { has_factors_ = false; }
 
-    /// Solve, starting from `solution` (full length on every rank), and replace it. False if neither old nor new
-    /// factors gave the tolerance, or the result is not finite. Collective.
+    /// Solve and replace `solution` (full length on every rank), from which old factors start; new ones need no guess.
+    /// False if neither gave the tolerance, or the result is not finite. Collective.
     bool solve(std::vector<double> &solution);
     /// Solve for several right-hand sides (full length, the same on every rank) by one factorisation of the matrix as
     /// it is, without iterations, and replace them by their solutions. Collective.
