@@ -5,13 +5,13 @@
 #include <app/target_pictures.h>
 #include <app/track_files.h>
 
+#include <datasets/clocks.h>
 #include <datasets/error.h>
 #include <datasets/output_folder.h>
 #include <rom/swimmer_integrator.h>
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cstdio>
 
 namespace swimtwin
@@ -73,11 +73,6 @@ namespace swimtwin
                    share(record.replay->back().distance_m));
       fmt::print("  results in {}\n", common.output.string());
     }
-
-    double now_s()
-    {
-      return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-    }
   } // namespace
 
   void reach_and_report(const TrackCommand &command)
@@ -96,7 +91,7 @@ namespace swimtwin
                           common.force);
     if (!common.quiet)
       fmt::print("{}", model_card(model));
-    const double start = now_s();
+    const double start = wall_time_s();
     record.way = fastest_way(swimmer, record.goal.swimmer, record.goal.carrier, record.goal.start, record.goal.target_m,
                              record.goal.options);
     if (record.way.found())
@@ -104,7 +99,7 @@ namespace swimtwin
     if (record.way.found() && command.with_replay)
       add_replay(scene, record);
     record.provenance = {SWIMTWIN_VERSION, common.command_line, scene.text,
-                         scene.hash,       utc_time_now(),      now_s() - start};
+                         scene.hash,       utc_time_now(),      wall_time_s() - start};
     write(command, record);
     for (const std::string &warning : record.warnings)
       fmt::print(stderr, "swimtwin: warning: {}\n", warning);

@@ -1,9 +1,9 @@
 #include <app/target_files.h>
+#include <app/track_files.h>
 
 #include <datasets/output_folder.h>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <iterator>
 
@@ -55,8 +55,8 @@ namespace swimtwin
 
   void write_target_summary(const std::filesystem::path &file, const TargetRecord &record)
   {
-    const TargetWay       &way = record.way;
-    nlohmann::ordered_json json;
+    const TargetWay &way = record.way;
+    Json             json;
     json["kind"]            = "target";
     json["status"]          = record.status();
     json["message"]         = record.message();
@@ -78,13 +78,6 @@ namespace swimtwin
       json["replay"] = {{"end_distance_body_lengths", record.replay->back().distance_m / record.body_length_m}};
     else
       json["replay"] = "not confirmed";
-    json["warnings"]   = record.warnings;
-    json["goal"]       = record.goal.text;
-    json["model_file"] = record.model_file;
-    json["provenance"] = {
-        {"program_version", record.provenance.program_version}, {"command_line", record.provenance.command_line},
-        {"scene_hash", record.provenance.scene_hash},           {"created", record.provenance.created},
-        {"wall_time_s", record.provenance.wall_time_s},         {"scene_text", record.provenance.scene_text}};
-    write_text_atomically(file, json.dump(2) + "\n");
+    write_summary(file, std::move(json), record);
   }
 } // namespace swimtwin

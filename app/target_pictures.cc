@@ -1,4 +1,5 @@
 #include <app/number_text.h>
+#include <app/picture_extent.h>
 #include <app/target_pictures.h>
 
 #include <fmt/format.h>
@@ -60,10 +61,9 @@ unset multiplot
       picture.set_text("heading", "The way to a target");
       picture.set_text("caption", finding(record));
       picture.set_flag("has_replay", record.replay.has_value());
-      Eigen::Vector2d low = mm * record.goal.target_m, high = low;
-      const auto      add = [&](const Eigen::Vector2d &point_m) {
-        low  = low.cwiseMin(mm * point_m);
-        high = high.cwiseMax(mm * point_m);
+      PictureExtent extent;
+      const auto    add = [&](const Eigen::Vector2d &point_m) {
+        extent.add(mm * point_m);
         picture.table.add_row({mm * point_m.x(), mm * point_m.y()});
       };
       picture.table.begin_block("target: x (mm), y (mm)");
@@ -79,10 +79,7 @@ unset multiplot
       picture.table.begin_block("replay: head x, y (mm)");
       for (const TargetInstant &i : record.replay ? *record.replay : record.swim)
         add(i.pose.position_m);
-      picture.set("x_min", low.x());
-      picture.set("x_max", high.x());
-      picture.set("y_min", low.y());
-      picture.set("y_max", high.y());
+      extent.set_in(picture);
       return picture;
     }
 

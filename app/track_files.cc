@@ -3,7 +3,6 @@
 #include <datasets/output_folder.h>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <functional>
@@ -48,9 +47,9 @@ namespace swimtwin
       return all;
     }
 
-    nlohmann::ordered_json axis_points(const std::vector<AxisPoint> &points, const double length_m)
+    Json axis_points(const std::vector<AxisPoint> &points, const double length_m)
     {
-      nlohmann::ordered_json json = nlohmann::ordered_json::array();
+      Json json = Json::array();
       for (const AxisPoint &point : points)
         json.push_back({{"behind_head_body_lengths", point.behind_m / length_m},
                         {"rms_distance_body_lengths", point.rms_distance_m / length_m},
@@ -58,10 +57,10 @@ namespace swimtwin
       return json;
     }
 
-    nlohmann::ordered_json numbers_of(const TrackResult &result, const double length_m)
+    Json numbers_of(const TrackResult &result, const double length_m)
     {
-      const double           f = result.plan.carrier.frequency_Hz;
-      nlohmann::ordered_json json;
+      const double f = result.plan.carrier.frequency_Hz;
+      Json         json;
       json["status"]                             = to_string(result.status);
       json["message"]                            = result.message;
       json["duration_s"]                         = (result.end_periods - result.start_periods) / f;
@@ -110,9 +109,9 @@ namespace swimtwin
 
   void write_track_summary(const std::filesystem::path &file, const TrackRecord &record)
   {
-    const TrackResult     &result = record.result;
-    nlohmann::ordered_json json   = numbers_of(result, record.body_length_m);
-    json["kind"]                  = to_string(record.goal.kind);
+    const TrackResult &result = record.result;
+    Json               json   = numbers_of(result, record.body_length_m);
+    json["kind"]              = to_string(record.goal.kind);
     json["plant"]         = record.goal.kind == TrackingKind::path ? "the model itself" : to_string(record.goal.plant);
     json["path_length_m"] = result.path.length_m();
     json["body_length_m"] = record.body_length_m;
@@ -123,13 +122,6 @@ namespace swimtwin
       json["replay"] = numbers_of(*record.replay, record.body_length_m);
     else if (record.goal.kind == TrackingKind::path)
       json["replay"] = "not confirmed";
-    json["warnings"]   = record.warnings;
-    json["goal"]       = record.goal.text;
-    json["model_file"] = record.model_file;
-    json["provenance"] = {
-        {"program_version", record.provenance.program_version}, {"command_line", record.provenance.command_line},
-        {"scene_hash", record.provenance.scene_hash},           {"created", record.provenance.created},
-        {"wall_time_s", record.provenance.wall_time_s},         {"scene_text", record.provenance.scene_text}};
-    write_text_atomically(file, json.dump(2) + "\n");
+    write_summary(file, std::move(json), record);
   }
 } // namespace swimtwin

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <control/tracking_goal.h>
-#include <datasets/provenance.h>
+#include <datasets/json_entries.h>
 
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace swimtwin
@@ -24,6 +25,17 @@ namespace swimtwin
     std::vector<std::string>   warnings;
     Provenance                 provenance;
   };
+
+  /// Write what a verb's goal led to, with warnings, goal, model and provenance at the end.
+  template <typename Record>
+  void write_summary(const std::filesystem::path &file, Json json, const Record &record)
+  {
+    json["warnings"]   = record.warnings;
+    json["goal"]       = record.goal.text;
+    json["model_file"] = record.model_file;
+    json["provenance"] = json_of(record.provenance);
+    write_json_file(file, json);
+  }
 
   /// One row per decision.
   void write_track_table(const std::filesystem::path &file, const TrackResult &result);

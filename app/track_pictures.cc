@@ -1,4 +1,5 @@
 #include <app/number_text.h>
+#include <app/picture_extent.h>
 #include <app/track_pictures.h>
 
 #include <fmt/format.h>
@@ -52,16 +53,6 @@ plot data index 0 using 1:5 with points pt 7 ps 0.3 lc rgb field_color notitle
 unset multiplot
 )gp";
 
-    struct Extent
-    {
-      Eigen::Vector2d low = Eigen::Vector2d::Constant(1e300), high = -low;
-      void            add(const Eigen::Vector2d &p)
-      {
-        low  = low.cwiseMin(p);
-        high = high.cwiseMax(p);
-      }
-    };
-
     std::string finding(const TrackRecord &record)
     {
       const TrackResult &r = record.result;
@@ -79,7 +70,7 @@ unset multiplot
       picture.set_text("heading", "Led along a path");
       picture.set_text("caption", finding(record));
       picture.set_flag("has_replay", record.replay.has_value());
-      Extent extent;
+      PictureExtent extent;
       picture.table.begin_block("path: x (mm), y (mm)");
       for (const Eigen::Vector2d &point : record.result.path.points_m())
       {
@@ -96,10 +87,7 @@ unset multiplot
       picture.table.begin_block("replay: mean x, y (mm)");
       for (const TrackedInstant &i : (record.replay ? *record.replay : record.result).instants)
         picture.table.add_row({mm * i.mean_m.x(), mm * i.mean_m.y()});
-      picture.set("x_min", extent.low.x());
-      picture.set("x_max", extent.high.x());
-      picture.set("y_min", extent.low.y());
-      picture.set("y_max", extent.high.y());
+      extent.set_in(picture);
       return picture;
     }
 
