@@ -1,21 +1,23 @@
 // Verb calibrate: fit the swimmer to displacement-frequency data, and say what the data cannot tell.
 #include <app/calibrate.h>
-#include <app/calibration_files.h>
-#include <app/calibration_input.h>
-#include <app/calibration_pictures.h>
-#include <app/calibration_report.h>
-#include <app/fitted_scene.h>
-#include <app/full_order_build.h>
-#include <app/full_order_run.h>
-#include <app/illustrated_page.h>
-#include <app/progress_bar.h>
-#include <app/verb.h>
 
+#include <app/calibration_input.h>
+#include <app/full_order/full_order_build.h>
+#include <app/full_order/full_order_run.h>
+#include <app/progress_bar.h>
+#include <app/shipped_files.h>
+#include <app/verb.h>
 #include <calibration/calibrate.h>
+#include <calibration/fitted_scene.h>
 #include <datasets/clocks.h>
 #include <datasets/csv_table.h>
 #include <datasets/error.h>
 #include <datasets/output_folder.h>
+#include <datasets/provenance.h>
+#include <reports/fit/calibration_files.h>
+#include <reports/fit/calibration_pictures.h>
+#include <reports/fit/calibration_report.h>
+#include <reports/page/illustrated_page.h>
 
 #include <fmt/format.h>
 
@@ -93,8 +95,8 @@ namespace swimtwin
       result.problem_text = problem.text;
       for (const ObservationSet &set : sets)
         result.data_files.push_back(set.file.string());
-      result.provenance = {SWIMTWIN_VERSION, command.common.command_line, scene.text, scene.hash, utc_time_now(),
-                           wall_time_s};
+      result.provenance = {
+          current_program_version, command.common.command_line, scene.text, scene.hash, utc_time_now(), wall_time_s};
     }
 
     void draw_and_write_page(const CalibrateCommand &command, const CalibrationResult &result)

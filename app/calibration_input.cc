@@ -1,6 +1,8 @@
 #include <app/calibration_input.h>
 
+#include <app/shipped_files.h>
 #include <datasets/error.h>
+#include <reports/page/shown_units.h>
 
 #include <fmt/format.h>
 
@@ -11,7 +13,6 @@ namespace swimtwin
 {
   namespace
   {
-    constexpr double mm = 1e3, mT = 1e3;
 
     std::vector<ObservationSet> read_sets(const std::vector<std::filesystem::path> &files)
     {

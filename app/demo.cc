@@ -1,13 +1,13 @@
 // Verb demo: what the tool does, in a few minutes.
 #include <app/calibrate.h>
-#include <app/frequency_picture.h>
-#include <app/model_card.h>
 #include <app/optimize.h>
-#include <app/plots.h>
+#include <app/shipped_files.h>
 #include <app/simulate.h>
-#include <app/sweep_files.h>
-
 #include <datasets/csv_table.h>
+#include <reports/page/draw_pictures.h>
+#include <reports/sweep/frequency_picture.h>
+#include <reports/sweep/model_card.h>
+#include <reports/sweep/sweep_files.h>
 
 #include <fmt/format.h>
 

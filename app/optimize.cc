@@ -1,17 +1,11 @@
 // Verb optimize: the field that swims fastest within what coils can play, and proof of it.
-#include <app/field_replay.h>
-#include <app/full_order_build.h>
-#include <app/illustrated_page.h>
-#include <app/model_card.h>
-#include <app/number_text.h>
 #include <app/optimize.h>
-#include <app/plan_files.h>
-#include <app/plan_pictures.h>
-#include <app/plan_report.h>
-#include <app/run_picture.h>
+
+#include <app/full_order/field_replay.h>
+#include <app/full_order/full_order_build.h>
+#include <app/shipped_files.h>
 #include <app/value_list.h>
 #include <app/verb.h>
-
 #include <control/field_import.h>
 #include <control/goal_file.h>
 #include <control/gradient_check.h>
@@ -19,6 +13,14 @@
 #include <datasets/error.h>
 #include <datasets/field_program_writer.h>
 #include <datasets/output_folder.h>
+#include <datasets/provenance.h>
+#include <reports/page/illustrated_page.h>
+#include <reports/page/number_text.h>
+#include <reports/plan/plan_files.h>
+#include <reports/plan/plan_pictures.h>
+#include <reports/plan/plan_report.h>
+#include <reports/run/run_picture.h>
+#include <reports/sweep/model_card.h>
 
 #include <fmt/format.h>
 
@@ -146,8 +148,8 @@ namespace swimtwin
       plan.viscosity_Pa_s    = file.goal.swimmer.viscosity_Pa_s;
       plan.magnetization_A_m = file.goal.swimmer.magnetization_A_m;
       plan.sample_rate_Hz    = file.sample_rate_Hz;
-      plan.provenance        = {SWIMTWIN_VERSION, command.common.command_line, scene.text, scene.hash,
-                                utc_time_now(),   plan.search_time_s};
+      plan.provenance        = {current_program_version, command.common.command_line, scene.text, scene.hash,
+                                utc_time_now(),          plan.search_time_s};
       return plan;
     }
 

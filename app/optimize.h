@@ -1,7 +1,7 @@
 // A plan from files to files, for the verbs that make one.
 #pragma once
 
-#include <app/field_replay.h>
+#include <app/full_order/field_replay.h>
 #include <app/verb.h>
 
 namespace swimtwin

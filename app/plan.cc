@@ -1,9 +1,8 @@
 // Verb plan: what will be solved, what is skipped and why, and what it will cost. Meshes, but solves nothing.
-#include <app/progress_bar.h>
 #include <app/verb.h>
-
 #include <datasets/output_folder.h>
-#include <fom/run_plan.h>
+#include <fom/run/run_plan.h>
+#include <reports/page/number_text.h>
 
 #include <fmt/format.h>
 

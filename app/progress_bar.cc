@@ -1,11 +1,11 @@
 #include <app/progress_bar.h>
 
+#include <reports/page/number_text.h>
+
 #include <fmt/format.h>
 
-#include <unistd.h>
-
-#include <cmath>
 #include <cstdio>
+#include <unistd.h>
 
 namespace swimtwin
 {
@@ -28,15 +28,5 @@ namespace swimtwin
     const auto left = rate_steps > 0 ? duration_text(elapsed_s / rate_steps * (total - done)) + " left" : std::string();
     fmt::print(stderr, "\r\033[K[{:#<{}}{:.<{}}] step {} of {}  {}", "", filled, "", width - filled, done, total, left);
     std::fflush(stderr);
-  }
-
-  std::string duration_text(const double seconds)
-  {
-    const long s = std::lround(seconds);
-    if (s < 60)
-      return fmt::format("{} s", s);
-    if (s < 3600)
-      return fmt::format("{} min {} s", s / 60, s % 60);
-    return fmt::format("{} h {} min", s / 3600, s % 3600 / 60);
   }
 } // namespace swimtwin

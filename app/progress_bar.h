@@ -21,7 +21,4 @@ namespace swimtwin
     bool   visible_;
     double last_shown_s_ = -1.;
   };
-
-  /// 75 s as "1 min 15 s".
-  std::string duration_text(double seconds);
 } // namespace swimtwin

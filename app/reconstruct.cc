@@ -1,13 +1,14 @@
 // Verb reconstruct: one run of a reduced swimmer with the whole tail and, where this build has it, the flow.
-#include <app/flow_output.h>
-#include <app/full_order_build.h>
-#include <app/plots.h>
+#include <app/full_order/flow_output.h>
+#include <app/full_order/full_order_build.h>
 #include <app/progress_bar.h>
+#include <app/shipped_files.h>
 #include <app/verb.h>
-
 #include <datasets/error.h>
 #include <datasets/output_folder.h>
+#include <datasets/provenance.h>
 #include <datasets/run_summary_json.h>
+#include <reports/run/draw_run.h>
 #include <rom/reconstruction.h>
 #include <rom/sweep.h>
 
@@ -112,7 +113,8 @@ namespace swimtwin
       const SwimmerRun  motion  = run(model, request, command.relative_tolerance);
       const RunSummary  summary = summary_of(motion, scene, trust_notes(model.range, request, motion));
       const SnapshotSet shapes  = reconstruct(model.tail, request.drive, motion.snapshots);
-      const Provenance  provenance{SWIMTWIN_VERSION, common.command_line, scene.text, scene.hash, utc_time_now(), 0.};
+      const Provenance  provenance{
+          current_program_version, common.command_line, scene.text, scene.hash, utc_time_now(), 0.};
       if (command.with_flow)
         write_flow_with_progress(command, scene, model, request, motion);
       write_trajectory_csv(common.output / "trajectory.csv", motion.trajectory);

@@ -1,18 +1,18 @@
 // Verb report: a page that shows the results in a folder.
-#include <app/calibration_pictures.h>
-#include <app/calibration_report.h>
-#include <app/frequency_picture.h>
-#include <app/illustrated_page.h>
-#include <app/plan_pictures.h>
-#include <app/plan_report.h>
-#include <app/plots.h>
-#include <app/run_report.h>
-#include <app/sweep_report.h>
 #include <app/verb.h>
-
 #include <datasets/error.h>
 #include <datasets/output_folder.h>
 #include <datasets/provenance.h>
+#include <reports/fit/calibration_pictures.h>
+#include <reports/fit/calibration_report.h>
+#include <reports/page/draw_pictures.h>
+#include <reports/page/illustrated_page.h>
+#include <reports/plan/plan_pictures.h>
+#include <reports/plan/plan_report.h>
+#include <reports/run/draw_run.h>
+#include <reports/run/run_report.h>
+#include <reports/sweep/frequency_picture.h>
+#include <reports/sweep/sweep_report.h>
 
 #include <fmt/format.h>
 
@@ -138,8 +138,8 @@ namespace swimtwin
       const DrawingBoard  board(options.output);
       const Illustrations illustrations = illustrate(results, board.path);
       HtmlPage            page          = page_of(results, illustrations, options.output);
-      page.add_paragraph(
-          fmt::format("Page made by {} on {} with `{}`.", SWIMTWIN_VERSION, utc_time_now(), options.command_line));
+      page.add_paragraph(fmt::format("Page made by {} on {} with `{}`.", current_program_version, utc_time_now(),
+                                     options.command_line));
       write_illustrated_page(options.output, page, illustrations);
       if (!options.quiet)
         fmt::print("report in {}\n", (options.output / page_name).string());

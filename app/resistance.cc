@@ -1,10 +1,9 @@
 // Verb resistance: the rigid resistance matrix of a scene's swimmer at rest.
 #include <app/verb.h>
-
 #include <datasets/error.h>
 #include <datasets/output_folder.h>
 #include <datasets/provenance.h>
-#include <fom/resistance.h>
+#include <fom/resistance/resistance.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -30,7 +29,7 @@ namespace swimtwin
       json["n_unknowns"]  = result.n_unknowns;
       json["n_cells"]     = result.n_cells;
       json["wall_time_s"] = wall_time_s;
-      json["provenance"]  = {{"program_version", SWIMTWIN_VERSION},
+      json["provenance"]  = {{"program_version", current_program_version},
                              {"command_line", command_line},
                              {"scene_hash", scene.hash},
                              {"created", utc_time_now()},

@@ -1,12 +1,12 @@
 // Verb simulate: one run of the full-order model.
-#include <app/plots.h>
-#include <app/progress_bar.h>
 #include <app/simulate.h>
-#include <app/simulation_report.h>
 
+#include <app/progress_bar.h>
 #include <datasets/error.h>
 #include <datasets/output_folder.h>
 #include <datasets/run_summary_json.h>
+#include <reports/run/draw_run.h>
+#include <reports/run/simulation_report.h>
 
 #include <fmt/format.h>
 

@@ -2,8 +2,7 @@
 #pragma once
 
 #include <app/verb.h>
-
-#include <fom/simulation.h>
+#include <fom/run/simulation.h>
 
 namespace swimtwin
 {

@@ -1,18 +1,20 @@
 // Verb sweep: displacement against frequency, and against whatever else, on a reduced model.
-#include <app/frequency_picture.h>
-#include <app/model_card.h>
-#include <app/number_text.h>
-#include <app/plots.h>
 #include <app/progress_bar.h>
-#include <app/run_picture.h>
-#include <app/sweep_files.h>
+#include <app/shipped_files.h>
 #include <app/value_list.h>
 #include <app/verb.h>
-
 #include <datasets/clocks.h>
 #include <datasets/dimensionless_groups.h>
 #include <datasets/error.h>
 #include <datasets/output_folder.h>
+#include <datasets/provenance.h>
+#include <reports/page/draw_pictures.h>
+#include <reports/page/number_text.h>
+#include <reports/page/shown_units.h>
+#include <reports/run/run_picture.h>
+#include <reports/sweep/frequency_picture.h>
+#include <reports/sweep/model_card.h>
+#include <reports/sweep/sweep_files.h>
 
 #include <fmt/format.h>
 
@@ -191,8 +193,8 @@ namespace swimtwin
       record.status     = record.n_not_computed == 0 ? "completed"
                                                      : fmt::format("failed: {} of {} members were not computed",
                                                                    record.n_not_computed, record.n_members);
-      record.provenance = {SWIMTWIN_VERSION, common.command_line, scene.text,
-                           scene.hash,       utc_time_now(),      record.wall_time_s};
+      record.provenance = {current_program_version, common.command_line, scene.text, scene.hash,
+                           utc_time_now(),          record.wall_time_s};
       write_files(common, model, results, curves, record);
       for (const std::string &warning : record.warnings)
         fmt::print(stderr, "swimtwin: warning: {}\n", warning);

@@ -1,13 +1,15 @@
-#include <app/full_order_plant.h>
-#include <app/model_card.h>
-#include <app/plots.h>
 #include <app/target.h>
-#include <app/target_pictures.h>
-#include <app/track_files.h>
 
+#include <app/full_order/full_order_plant.h>
+#include <app/shipped_files.h>
 #include <datasets/clocks.h>
 #include <datasets/error.h>
 #include <datasets/output_folder.h>
+#include <datasets/provenance.h>
+#include <reports/page/draw_pictures.h>
+#include <reports/plan/target_pictures.h>
+#include <reports/plan/track_files.h>
+#include <reports/sweep/model_card.h>
 #include <rom/swimmer_integrator.h>
 
 #include <fmt/format.h>
@@ -98,8 +100,8 @@ namespace swimtwin
       add_swim(swimmer, record);
     if (record.way.found() && command.with_replay)
       add_replay(scene, record);
-    record.provenance = {SWIMTWIN_VERSION, common.command_line, scene.text,
-                         scene.hash,       utc_time_now(),      wall_time_s() - start};
+    record.provenance = {current_program_version, common.command_line,  scene.text, scene.hash,
+                         utc_time_now(),          wall_time_s() - start};
     write(command, record);
     for (const std::string &warning : record.warnings)
       fmt::print(stderr, "swimtwin: warning: {}\n", warning);

@@ -1,6 +1,7 @@
 #include <app/tool.h>
 
 #include <datasets/error.h>
+#include <datasets/provenance.h>
 
 #include <fmt/format.h>
 
@@ -60,7 +61,7 @@ namespace swimtwin
     CLI::App tool("Elastic magneto-swimmers in viscous fluids: simulation and prediction of a soft micro-robot with a "
                   "magnetic head.",
                   "swimtwin");
-    tool.set_version_flag("--version", SWIMTWIN_VERSION);
+    tool.set_version_flag("--version", current_program_version);
     tool.require_subcommand(1);
     std::vector<std::pair<const char *, Work>> works;
     for (const auto &[name, add] : verbs)

@@ -1,15 +1,17 @@
 // Verb track: a field that leads the swimmer along a path, planned ahead or decided in real time, or to a target.
-#include <app/full_order_plant.h>
-#include <app/model_card.h>
-#include <app/plots.h>
-#include <app/progress_bar.h>
-#include <app/target.h>
 #include <app/track.h>
-#include <app/track_pictures.h>
 
+#include <app/full_order/full_order_plant.h>
+#include <app/progress_bar.h>
+#include <app/shipped_files.h>
+#include <app/target.h>
 #include <datasets/clocks.h>
 #include <datasets/error.h>
 #include <datasets/output_folder.h>
+#include <datasets/provenance.h>
+#include <reports/page/draw_pictures.h>
+#include <reports/plan/track_pictures.h>
+#include <reports/sweep/model_card.h>
 
 #include <fmt/format.h>
 
@@ -130,8 +132,8 @@ namespace swimtwin
       record.replay = play_plan(swimmer, record.goal.believed, record.result, *replayed_on, record.goal.options);
     record.body_length_m = swimmer.length_m();
     record.model_file    = find_model(command.model).string();
-    record.provenance    = {SWIMTWIN_VERSION, common.command_line, scene.text,
-                            scene.hash,       utc_time_now(),      wall_time_s() - start};
+    record.provenance    = {current_program_version, common.command_line,  scene.text, scene.hash,
+                            utc_time_now(),          wall_time_s() - start};
     write(common, record);
     draw(command, record);
     if (!common.quiet)

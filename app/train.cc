@@ -1,14 +1,13 @@
 // Verb train: a reduced swimmer from a scene.
-#include <app/model_card.h>
 #include <app/progress_bar.h>
 #include <app/ranks.h>
 #include <app/value_list.h>
 #include <app/verb.h>
-
 #include <datasets/dimensionless_groups.h>
 #include <datasets/error.h>
 #include <datasets/output_folder.h>
 #include <datasets/snapshot_set.h>
+#include <reports/sweep/model_card.h>
 #include <rom/training/training.h>
 
 #include <fmt/format.h>

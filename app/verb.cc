@@ -1,31 +1,9 @@
 #include <app/verb.h>
 
-#include <datasets/error.h>
+#include <app/shipped_files.h>
 
 namespace swimtwin
 {
-  namespace
-  {
-    namespace fs = std::filesystem;
-
-    /// Folder of what is shipped: beside the sources that this tool was built from, wherever they are now.
-    fs::path shipped_datasets()
-    {
-      std::error_code error;
-      const fs::path  tool = fs::read_symlink("/proc/self/exe", error);
-      if (const auto beside = tool.parent_path() / "../../datasets"; !error && fs::is_directory(beside))
-        return fs::weakly_canonical(beside);
-      return SWIMTWIN_DATASETS;
-    }
-
-    /// A file as it is named, or the shipped one of that name.
-    fs::path file_or_shipped(const std::string &name, const char *folder, const char *extension)
-    {
-      const fs::path shipped = shipped_datasets() / folder / (name + extension);
-      return !fs::is_regular_file(name) && fs::exists(shipped) ? shipped : fs::path(name);
-    }
-  } // namespace
-
   void add_common_options(CLI::App &verb, CommonOptions &options, const OutputFolder output)
   {
     verb.add_option("--set", options.overrides, "Override a scene entry: key.path=value (repeatable)")
@@ -47,16 +25,6 @@ namespace swimtwin
 
   Scene load_scene(const CommonOptions &options)
   {
-    return read_scene(file_or_shipped(options.scene, "scenes", ".toml"), options.overrides);
-  }
-
-  std::filesystem::path shipped_file(const std::string &place)
-  {
-    return shipped_datasets() / place;
-  }
-
-  std::filesystem::path find_model(const std::string &model)
-  {
-    return file_or_shipped(model, "models", ".h5");
+    return read_scene(find_scene(options.scene), options.overrides);
   }
 } // namespace swimtwin

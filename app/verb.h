@@ -2,7 +2,6 @@
 #pragma once
 
 #include <app/ranks.h>
-
 #include <datasets/scene.h>
 
 #include <CLI/CLI.hpp>
@@ -33,11 +32,6 @@ namespace swimtwin
 
   /// The scene of the options, with its overrides. Throws InputError.
   Scene load_scene(const CommonOptions &options);
-
-  /// A file that is shipped, by its place in datasets/.
-  std::filesystem::path shipped_file(const std::string &place);
-  /// A reduced model by its file, or by the name of a shipped one.
-  std::filesystem::path find_model(const std::string &model);
 
   // Each verb adds itself to the tool and returns its work, to be called if the user chose it.
   using Work = std::function<void()>;

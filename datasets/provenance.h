@@ -5,9 +5,12 @@
 
 namespace swimtwin
 {
+  /// `swimtwin 0.1.0`: of this build.
+  extern const char *const current_program_version;
+
   struct Provenance
   {
-    std::string program_version; ///< of this build, `swimtwin 0.1.0 (commit)`
+    std::string program_version; ///< of the build that computed
     std::string command_line;
     std::string scene_text;
     std::string scene_hash;

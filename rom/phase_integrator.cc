@@ -1,5 +1,6 @@
-#include <rom/integration_failure.h>
 #include <rom/phase_integrator.h>
+
+#include <rom/integration_failure.h>
 #include <rom/state_scale.h>
 
 namespace swimtwin
@@ -58,8 +59,6 @@ namespace swimtwin
       equations(data).power(phase, sundials::values(state), sundials::values(power));
       return 0;
     }
-
-    void ignore_message(int, const char *, const char *, char *, void *) {}
   } // namespace
 
   PhaseIntegrator::PhaseIntegrator(const ReducedSwimmer &swimmer, const IntegratorOptions &options)
@@ -75,7 +74,7 @@ namespace swimtwin
     void        *cv   = integrator_.get();
     N_VConst(0., state_.get());
     sundials::values(tolerance_.get()) = rtol * state_scale(swimmer);
-    CVodeSetErrHandlerFn(cv, ignore_message, nullptr);
+    CVodeSetErrHandlerFn(cv, sundials::ignore_message, nullptr);
     CVodeInit(cv, on_rate, 0., state_.get());
     CVodeSetUserData(cv, &equations_);
     CVodeSVtolerances(cv, rtol, tolerance_.get());

@@ -1,9 +1,9 @@
 #include <rom/prescribed_gait.h>
+
 #include <rom/sundials_handles.h>
 
-#include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
-
 #include <fmt/format.h>
+#include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
 namespace swimtwin
 {
@@ -25,8 +25,6 @@ namespace swimtwin
       sundials::values(rate) << Eigen::Rotation2Dd(state[2]) * head.head<2>(), head[2];
       return head.allFinite() ? 0 : 1;
     }
-
-    void ignore_message(int, const char *, const char *, char *, void *) {}
 
     void release_fixed_point(SUNNonlinearSolver solver)
     {
@@ -51,7 +49,7 @@ namespace swimtwin
     sundials::values(pose.get()) << 0., 0., angle_rad;
     sundials::values(tolerance.get()) << swimmer.length_m() * relative_tolerance,
         swimmer.length_m() * relative_tolerance, relative_tolerance;
-    CVodeSetErrHandlerFn(cv, ignore_message, nullptr);
+    CVodeSetErrHandlerFn(cv, sundials::ignore_message, nullptr);
     CVodeInit(cv, on_pose_rate, 0., pose.get());
     CVodeSetUserData(cv, &equations);
     CVodeSVtolerances(cv, relative_tolerance, tolerance.get());

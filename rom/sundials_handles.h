@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Dense>
-
 #include <cvodes/cvodes.h>
 #include <nvector/nvector_serial.h>
 #include <sunlinsol/sunlinsol_dense.h>
@@ -62,6 +61,9 @@ namespace swimtwin::sundials
     SUNContext_Create(nullptr, &context);
     return Context(made(context));
   }
+
+  /// An error handler: return codes say all that there is to say.
+  inline void ignore_message(int, const char *, const char *, char *, void *) {}
 
   inline Eigen::Map<Eigen::VectorXd> values(const N_Vector vector)
   {

@@ -1,8 +1,8 @@
 #include <rom/training/flow_reconstruction.h>
 
 #include <datasets/error.h>
-#include <fom/field_output.h>
-#include <fom/motion_resistance.h>
+#include <fom/resistance/motion_resistance.h>
+#include <fom/run/field_output.h>
 #include <rom/reconstruction.h>
 #include <rom/training/shape_sampler.h>
 

@@ -1,6 +1,6 @@
 #include <rom/training/pod.h>
 
-#include <fom/petsc_error.h>
+#include <fom/algebra/petsc_error.h>
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #include <rom/training/shape_sampler.h>
 
 #include <datasets/error.h>
-#include <fom/motion_resistance.h>
+#include <fom/resistance/motion_resistance.h>
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // Resistance of the reduced swimmer at many shapes, shared out over ranks.
 #pragma once
 
-#include <fom/swimmer.h>
+#include <fom/body/swimmer.h>
 #include <rom/training/sample_store.h>
 #include <rom/training/tail_basis.h>
 

@@ -1,6 +1,6 @@
 #include <rom/training/strain_grams.h>
 
-#include <fom/isoparametric_cell.h>
+#include <fom/geometry/isoparametric_cell.h>
 
 namespace swimtwin
 {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <datasets/reduced_model.h>
-#include <fom/swimmer.h>
+#include <fom/body/swimmer.h>
 
 namespace swimtwin
 {

@@ -1,7 +1,7 @@
 // What the elastic tail does by itself: its bending modes, and the shortening that bending costs.
 #pragma once
 
-#include <fom/swimmer.h>
+#include <fom/body/swimmer.h>
 #include <rom/training/tail_basis.h>
 
 #include <Eigen/SparseCholesky>

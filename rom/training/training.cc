@@ -1,10 +1,10 @@
 #include <rom/training/training.h>
 
+#include <datasets/clocks.h>
 #include <datasets/dimensionless_groups.h>
 #include <datasets/error.h>
 #include <datasets/provenance.h>
-#include <datasets/clocks.h>
-#include <fom/run_recorder.h>
+#include <fom/run/run_recorder.h>
 #include <rom/training/basis_builder.h>
 #include <rom/training/explored_shapes.h>
 #include <rom/training/held_out_runs.h>
@@ -254,7 +254,7 @@ namespace swimtwin
     MPI_Comm_rank(communicator, &rank);
     if (rank == 0)
       write_reduced_model(options.folder / "model.h5", model,
-                          {SWIMTWIN_VERSION, options.command_line, scene.text, scene.hash, utc_time_now(),
+                          {current_program_version, options.command_line, scene.text, scene.hash, utc_time_now(),
                            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()});
     return model;
   }

@@ -2,7 +2,7 @@
 
 #include <datasets/error.h>
 #include <datasets/run_summary_json.h>
-#include <fom/simulation.h>
+#include <fom/run/simulation.h>
 
 #include <fmt/format.h>
 

@@ -3,6 +3,7 @@
 #include <datasets/scene.h>
 #include <tests/app/tool_in_process.h>
 #include <tests/datasets/temporary_folder.h>
+#include <tests/places.h>
 
 #include <cmath>
 
@@ -10,7 +11,7 @@ namespace swimtwin
 {
   namespace
   {
-    Outcome tool(const std::vector<std::string> &arguments)
+    Outcome calibrate_tool(const std::vector<std::string> &arguments)
     {
       return run_in_process(arguments, {{"calibrate", add_calibrate}});
     }
@@ -43,7 +44,7 @@ bootstrap_samples = 60
         std::vector<std::string> arguments = {"calibrate", "reference-2d", folder.path / "fit.toml", "--output",
                                               results};
         arguments.insert(arguments.end(), options.begin(), options.end());
-        return tool(arguments);
+        return calibrate_tool(arguments);
       }
 
       /// Of a table with these rows; nothing may be left under its final name.
@@ -63,7 +64,8 @@ bootstrap_samples = 60
 
   TEST_F(CalibrateVerb, FindsTheFullOrderSwimmerOfTheShippedData)
   {
-    const Outcome outcome = calibrate({"--data", SWIMTWIN_SOURCE_DIR "/datasets/observations/synthetic-soft.csv"});
+    const Outcome outcome =
+        calibrate({"--data", std::string(places::source) + "/datasets/observations/synthetic-soft.csv"});
     ASSERT_EQ(outcome.code, 0) << outcome.errors;
     expect_in(outcome.output, "status       converged");
     const CalibrationResult result = read_calibration_result(folder.path / "results/calibration.json");
@@ -119,7 +121,7 @@ bootstrap_samples = 60
     folder.write("curve.csv", table);
     const std::vector<std::string> check = {
         "calibrate", "reference-2d", folder.path / "fit.toml", "--data", folder.path / "curve.csv", "--check"};
-    const Outcome outcome = tool(check);
+    const Outcome outcome = calibrate_tool(check);
     EXPECT_EQ(outcome.code, 0) << outcome.errors;
     expect_in(outcome.output, "young_modulus_over_viscosity_1_s       3.5e+04 to 8e+04");
     expect_in(outcome.output, "curve\n    3 observations at 0.2 to 1 Hz, of period 3 after a start from rest\n");
@@ -134,8 +136,8 @@ bootstrap_samples = 60
   TEST_F(CalibrateVerb, CheckFindsWhatAFitWouldFind)
   {
     const auto check = [&](const std::string &text) {
-      return tool({"calibrate", "reference-2d", folder.path / "fit.toml", "--check", "--data",
-                   folder.write("curve.csv", text), "--data", folder.path / "other.csv"});
+      return calibrate_tool({"calibrate", "reference-2d", folder.path / "fit.toml", "--check", "--data",
+                             folder.write("curve.csv", text), "--data", folder.path / "other.csv"});
     };
     folder.write("other.toml", sidecar);
     folder.write("other.csv", "frequency_Hz,displacement_m,sigma_m\n0.2,1e-4,-1\n0.5,1e-4,2e-6\n");
@@ -156,8 +158,8 @@ bootstrap_samples = 60
 
   TEST_F(CalibrateVerb, NeedsAFolderForAFit)
   {
-    const Outcome outcome =
-        tool({"calibrate", "reference-2d", folder.path / "fit.toml", "--data", folder.write("curve.csv", table)});
+    const Outcome outcome = calibrate_tool(
+        {"calibrate", "reference-2d", folder.path / "fit.toml", "--data", folder.write("curve.csv", table)});
     EXPECT_EQ(outcome.code, 2);
     expect_in(outcome.errors, "--output is required");
   }

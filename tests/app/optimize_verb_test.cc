@@ -1,14 +1,14 @@
-#include <app/plan_files.h>
 #include <datasets/reduced_model.h>
+#include <reports/plan/plan_files.h>
 #include <tests/app/tool_in_process.h>
-#include <tests/datasets/temporary_folder.h>
 #include <tests/control/small_model.h>
+#include <tests/datasets/temporary_folder.h>
 
 namespace swimtwin
 {
   namespace
   {
-    Outcome tool(const std::vector<std::string> &arguments)
+    Outcome optimize_tool(const std::vector<std::string> &arguments)
     {
       return run_in_process(arguments, {{"optimize", add_optimize}, {"report", add_report}});
     }
@@ -37,7 +37,7 @@ max_evaluations = 12
       {
         std::vector<std::string> arguments = {"optimize", model, folder.write("goal.toml", goal), "--output", results};
         arguments.insert(arguments.end(), options.begin(), options.end());
-        return tool(arguments);
+        return optimize_tool(arguments);
       }
 
       const TemporaryFolder folder;
@@ -65,7 +65,7 @@ max_evaluations = 12
     EXPECT_NEAR(static_cast<double>(field.time_s().size()), 200. / best.frequency_Hz, 1.);
     expect_part(content(folder.path / "results/report.html"), "Harmonics of the optimal field");
     EXPECT_FALSE(plan.plan.provenance.scene_hash.empty());
-    EXPECT_EQ(tool({"report", results, "--force"}).code, 0);
+    EXPECT_EQ(optimize_tool({"report", results, "--force"}).code, 0);
   }
 
   TEST_F(OptimizeVerb, ChecksItsDerivatives)
@@ -118,6 +118,6 @@ max_evaluations = 12
     const Outcome outcome = optimize(a_goal);
     EXPECT_EQ(outcome.code, 2);
     expect_part(outcome.errors, "--force");
-    EXPECT_EQ(tool({"optimize", model, folder.write("goal.toml", a_goal)}).code, 2);
+    EXPECT_EQ(optimize_tool({"optimize", model, folder.write("goal.toml", a_goal)}).code, 2);
   }
 } // namespace swimtwin

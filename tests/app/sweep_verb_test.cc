@@ -13,7 +13,7 @@ namespace swimtwin
 {
   namespace
   {
-    Outcome tool(const std::vector<std::string> &arguments)
+    Outcome sweep_tool(const std::vector<std::string> &arguments)
     {
       return run_in_process(arguments, {{"sweep", add_sweep}, {"report", add_report}});
     }
@@ -27,7 +27,7 @@ namespace swimtwin
       {
         std::vector<std::string> arguments = {"sweep", model, "--output", results};
         arguments.insert(arguments.end(), options.begin(), options.end());
-        return tool(arguments);
+        return sweep_tool(arguments);
       }
 
       const TemporaryFolder folder;
@@ -86,7 +86,7 @@ namespace swimtwin
   TEST_F(SweepVerb, ReportTakesItsFolder)
   {
     ASSERT_EQ(sweep({"--frequency", "0.2:2:4", "--viscosity", "1.4,1.52", "--quiet"}).code, 0);
-    const Outcome report = tool({"report", results});
+    const Outcome report = sweep_tool({"report", results});
     EXPECT_EQ(report.code, 0) << report.errors;
     expect_in(content(folder.path / "results/report.html"), "1.52 Pa s");
   }
@@ -124,7 +124,7 @@ namespace swimtwin
 
   TEST_F(SweepVerb, RefusesBadModels)
   {
-    expect_refusal(tool({"sweep", "no-such-model", "--output", results}), "no-such-model: there is no such file");
+    expect_refusal(sweep_tool({"sweep", "no-such-model", "--output", results}), "no-such-model: there is no such file");
     std::filesystem::resize_file(model, 1000);
     expect_refusal(sweep({}), "not an HDF5 file, or it was cut short");
   }

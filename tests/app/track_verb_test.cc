@@ -2,10 +2,10 @@
 #include <datasets/field_program.h>
 #include <tests/app/tool_in_process.h>
 #include <tests/datasets/temporary_folder.h>
-
-#include <nlohmann/json.hpp>
+#include <tests/places.h>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <fstream>
 
@@ -13,7 +13,7 @@ namespace swimtwin
 {
   namespace
   {
-    Outcome tool(const std::vector<std::string> &arguments)
+    Outcome track_tool(const std::vector<std::string> &arguments)
     {
       return run_in_process(arguments, {{"track", add_track}});
     }
@@ -25,14 +25,11 @@ namespace swimtwin
       Outcome track(const std::string &goal, const std::vector<std::string> &options = {}) const
       {
         std::ofstream(folder.path / "goal.toml") << goal;
-        std::vector<std::string> arguments = {"track",
-                                              std::string(SWIMTWIN_SOURCE_DIR) + "/datasets/models/open-2d.h5",
-                                              folder.path / "goal.toml",
-                                              "--output",
-                                              results,
-                                              "--no-picture"};
+        std::vector<std::string> arguments = {
+            "track",       std::string(places::models) + "/open-2d.h5", folder.path / "goal.toml", "--output", results,
+            "--no-picture"};
         arguments.insert(arguments.end(), options.begin(), options.end());
-        return tool(arguments);
+        return track_tool(arguments);
       }
 
       const TemporaryFolder folder;

@@ -1,5 +1,7 @@
 #include <tests/calibration/synthetic_curve.h>
 
+#include <tests/places.h>
+
 #include <cmath>
 #include <random>
 
@@ -7,7 +9,7 @@ namespace swimtwin
 {
   const ReducedModel &reference_model()
   {
-    static const ReducedModel model = read_reduced_model(SWIMTWIN_SOURCE_DIR "/datasets/models/reference-2d.h5");
+    static const ReducedModel model = read_reduced_model(std::string(places::models) + "/reference-2d.h5");
     return model;
   }
 

@@ -1,7 +1,9 @@
 // On the shipped swimmer without walls. Its body is 7.75 mm long.
 #include <control/closed_loop.h>
+
 #include <datasets/error.h>
 #include <rom/sweep.h>
+#include <tests/places.h>
 
 #include <gtest/gtest.h>
 
@@ -14,10 +16,10 @@ namespace swimtwin
     class ClosedLoopOfTheOpenSwimmer : public ::testing::Test
     {
     protected:
-      const ReducedModel   model = read_reduced_model(std::string(SWIMTWIN_SOURCE_DIR) + "/datasets/models/open-2d.h5");
-      const ReducedSwimmer swimmer     = ReducedSwimmer(model);
-      const double         L           = swimmer.length_m();
-      const RunRequest     request     = sweep_options(parse_scene(model.scene_text, "open-2d.toml"), model).base;
+      const ReducedModel      model    = read_reduced_model(std::string(places::models) + "/open-2d.h5");
+      const ReducedSwimmer    swimmer  = ReducedSwimmer(model);
+      const double            L        = swimmer.length_m();
+      const RunRequest        request  = sweep_options(parse_scene(model.scene_text, "open-2d.toml"), model).base;
       const SwimmerParameters believed = request.parameters;
       const Path              arc      = Path::circle(L).first(0.6 * L);
 

@@ -3,6 +3,7 @@
 
 #include <datasets/reduced_model.h>
 #include <rom/sweep.h>
+#include <tests/places.h>
 
 #include <string>
 
@@ -10,7 +11,7 @@ namespace swimtwin
 {
   inline ReducedModel small_model()
   {
-    return truncated(read_reduced_model(std::string(SWIMTWIN_SOURCE_DIR) + "/datasets/models/open-2d.h5"), 2);
+    return truncated(read_reduced_model(std::string(places::models) + "/open-2d.h5"), 2);
   }
 
   /// The scene's own run.

@@ -1,7 +1,9 @@
-#include <control/steering_limits.h>
 #include <control/target_goal.h>
+
+#include <control/steering_limits.h>
 #include <datasets/error.h>
 #include <tests/datasets/temporary_folder.h>
+#include <tests/places.h>
 
 #include <gtest/gtest.h>
 
@@ -16,7 +18,7 @@ namespace swimtwin
     protected:
       static ReducedModel shipped(const std::string &name)
       {
-        return read_reduced_model(std::string(SWIMTWIN_SOURCE_DIR) + "/datasets/models/" + name + ".h5");
+        return read_reduced_model(std::string(places::models) + "/" + name + ".h5");
       }
 
       TargetGoal read(const std::string &text, const ReducedModel &model) const

@@ -1,8 +1,10 @@
-#include <control/course_terms.h>
 #include <control/target_search.h>
+
+#include <control/course_terms.h>
 #include <rom/adjoint_check.h>
 #include <rom/bspline_field.h>
 #include <rom/sweep.h>
+#include <tests/places.h>
 
 #include <gtest/gtest.h>
 
@@ -13,7 +15,7 @@ namespace swimtwin
     class OpenSwimmer : public ::testing::Test
     {
     protected:
-      const ReducedModel   model = read_reduced_model(std::string(SWIMTWIN_SOURCE_DIR) + "/datasets/models/open-2d.h5");
+      const ReducedModel   model   = read_reduced_model(std::string(places::models) + "/open-2d.h5");
       const ReducedSwimmer swimmer = ReducedSwimmer(model);
       const double         L       = swimmer.length_m();
       RunRequest           request = sweep_options(parse_scene(model.scene_text, "open-2d.toml"), model).base;

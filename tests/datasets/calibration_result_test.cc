@@ -1,4 +1,5 @@
 #include <datasets/calibration_result.h>
+
 #include <datasets/error.h>
 #include <tests/datasets/temporary_folder.h>
 
@@ -8,7 +9,7 @@ namespace swimtwin
 {
   namespace
   {
-    CalibrationResult example()
+    CalibrationResult example_result()
     {
       CalibrationResult result;
       result.status                   = "converged";
@@ -33,7 +34,7 @@ namespace swimtwin
   TEST(CalibrationResult, ComesBackAsItWasWritten)
   {
     const TemporaryFolder   folder;
-    const CalibrationResult written = example();
+    const CalibrationResult written = example_result();
     write_calibration_result(folder.path / "calibration.json", written);
     const CalibrationResult read = read_calibration_result(folder.path / "calibration.json");
     EXPECT_EQ(read.swimmer.young_modulus_Pa, written.swimmer.young_modulus_Pa);
@@ -73,7 +74,7 @@ namespace swimtwin
     EXPECT_NE(refusal("{}").find("lacks the entry status"), std::string::npos);
     EXPECT_NE(refusal("[1]").find("lacks the entry status"), std::string::npos);
     EXPECT_NE(refusal("{\"status\": 3}").find("has an entry status of the wrong kind"), std::string::npos);
-    write_calibration_result(folder.path / "roles.json", example());
+    write_calibration_result(folder.path / "roles.json", example_result());
     std::string text = content(folder.path / "roles.json");
     EXPECT_NE(refusal(text.replace(text.find("\"free\""), 6, "\"guessed\"")).find("unknown role guessed"),
               std::string::npos);

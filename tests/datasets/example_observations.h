@@ -1,9 +1,9 @@
 // Small observation files for tests.
 #pragma once
 
-#include <tests/datasets/temporary_folder.h>
-
 #include <datasets/observation_set.h>
+#include <tests/datasets/temporary_folder.h>
+#include <tests/replaced.h>
 
 #include <string>
 
@@ -39,11 +39,4 @@ by_T = 4e-3
     TemporaryFolder    folder;
     std::filesystem::path file, sidecar;
   };
-
-  inline std::string replaced(std::string text, const std::string &what, const std::string &by)
-  {
-    const auto place = text.find(what);
-    EXPECT_NE(place, std::string::npos) << what;
-    return text.replace(place, what.size(), by);
-  }
 } // namespace swimtwin

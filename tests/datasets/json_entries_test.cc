@@ -1,4 +1,5 @@
 #include <datasets/json_entries.h>
+
 #include <tests/datasets/temporary_folder.h>
 
 #include <cmath>
@@ -38,7 +39,7 @@ namespace swimtwin
 
   namespace
   {
-    JsonTree example()
+    JsonTree example_tree()
     {
       JsonTree tree;
       tree.leaves = {{1. / 3., true, Eigen::MatrixXd::Random(2, 3)}, {-0., {}, {}}};
@@ -57,7 +58,7 @@ namespace swimtwin
 
   TEST(JsonEntries, KeepEveryBitOnTheWayThereAndBack)
   {
-    const JsonTree written = example();
+    const JsonTree written = example_tree();
     JsonTree       read;
     read.terms["stale"] = 1.;
     read_json(Json::parse(json_of(written).dump()), read);

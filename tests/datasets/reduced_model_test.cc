@@ -1,7 +1,8 @@
+#include <datasets/reduced_model.h>
+
 #include <datasets/error.h>
 #include <datasets/hdf5_file.h>
 #include <datasets/provenance.h>
-#include <datasets/reduced_model.h>
 #include <tests/datasets/temporary_folder.h>
 
 #include <cmath>
@@ -11,7 +12,7 @@ namespace swimtwin
 {
   namespace
   {
-    const Provenance provenance{"swimtwin 0.1.0", "train", "dimension = 2\n", "abc", "2025-01-31T12:00:00Z", 7.};
+    const Provenance of_a_training{"swimtwin 0.1.0", "train", "dimension = 2\n", "abc", "2025-01-31T12:00:00Z", 7.};
 
     ReducedTail example_tail(const int r)
     {
@@ -81,7 +82,7 @@ namespace swimtwin
     std::string broken_rule(const ReducedModel &model)
     {
       const TemporaryFolder folder;
-      return message_of<ComputationError>([&] { write_reduced_model(folder.path / "model.h5", model, provenance); });
+      return message_of<ComputationError>([&] { write_reduced_model(folder.path / "model.h5", model, of_a_training); });
     }
   } // namespace
 
@@ -89,7 +90,7 @@ namespace swimtwin
   {
     const TemporaryFolder folder;
     const ReducedModel    written = random_model();
-    write_reduced_model(folder.path / "model.h5", written, provenance);
+    write_reduced_model(folder.path / "model.h5", written, of_a_training);
     const ReducedModel read = read_reduced_model(folder.path / "model.h5");
     EXPECT_EQ(read.tail.nodes_m, written.tail.nodes_m);
     EXPECT_EQ(read.tail.cells, written.tail.cells);
@@ -129,14 +130,14 @@ namespace swimtwin
     const TemporaryFolder folder;
     ReducedModel          rigid = truncated(random_model(), 0);
     rigid.area                  = {false, Eigen::VectorXd(0), Eigen::MatrixXd(0, 0)};
-    write_reduced_model(folder.path / "model.h5", rigid, provenance);
+    write_reduced_model(folder.path / "model.h5", rigid, of_a_training);
     EXPECT_EQ(read_reduced_model(folder.path / "model.h5").n_modes(), 0);
   }
 
   TEST(ReducedModel, CarriesProvenance)
   {
     const TemporaryFolder folder;
-    write_reduced_model(folder.path / "model.h5", random_model(), provenance);
+    write_reduced_model(folder.path / "model.h5", random_model(), of_a_training);
     const Hdf5Reader reader(folder.path / "model.h5");
     EXPECT_EQ(reader.read_text_attribute("/", "scene_hash"), "abc");
     EXPECT_EQ(reader.read_text_attribute("/resistance/coordinate_scale_m", "units"), "m");
@@ -146,7 +147,7 @@ namespace swimtwin
   {
     const TemporaryFolder folder;
     const auto            file = folder.path / "model.h5";
-    write_reduced_model(file, random_model(), provenance);
+    write_reduced_model(file, random_model(), of_a_training);
     std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
     expect_in(message_of<InputError>([&] { read_reduced_model(file); }),
               "model.h5: it is not an HDF5 file, or it was cut short");
@@ -192,7 +193,7 @@ namespace swimtwin
     const auto            file             = folder.path / "model.h5";
     ReducedModel          model            = random_model();
     model.resistance.coordinate_scale_m[1] = 0.123456789;
-    write_reduced_model(file, model, provenance);
+    write_reduced_model(file, model, of_a_training);
     replace_number(file, 0.123456789, std::numeric_limits<double>::quiet_NaN());
     expect_in(message_of<InputError>([&] { read_reduced_model(file); }),
               "model.h5: /resistance/coordinate_scale_m holds a value that is not finite; train the model again");

@@ -4,6 +4,7 @@
 #include <datasets/scene_names.h>
 #include <tests/datasets/example_scenes.h>
 #include <tests/datasets/temporary_folder.h>
+#include <tests/replaced.h>
 
 #include <fmt/format.h>
 
@@ -11,13 +12,6 @@ namespace swimtwin
 {
   namespace
   {
-    std::string replaced(std::string text, const std::string &part, const std::string &by)
-    {
-      const auto position = text.find(part);
-      EXPECT_NE(position, std::string::npos) << part;
-      return text.replace(position, part.size(), by);
-    }
-
     std::string message_for(const std::string &text, const std::vector<std::string> &overrides = {})
     {
       return message_of<InputError>([&] { parse_scene(text, "scene.toml", overrides); });

@@ -1,5 +1,6 @@
 #include <datasets/csv_table.h>
 #include <datasets/observation_set.h>
+#include <tests/places.h>
 
 #include <gtest/gtest.h>
 
@@ -9,7 +10,7 @@ namespace swimtwin
 {
   namespace
   {
-    const std::filesystem::path folder = std::filesystem::path(SWIMTWIN_SCENES).parent_path() / "observations";
+    const std::filesystem::path observations = std::filesystem::path(places::scenes).parent_path() / "observations";
 
     double in_sigmas(const Observation &point, const double truth_m)
     {
@@ -20,7 +21,7 @@ namespace swimtwin
   TEST(ShippedObservations, AreAllReadAndSayThatTheyAreSynthetic)
   {
     int n_sets = 0;
-    for (const auto &entry : std::filesystem::directory_iterator(folder))
+    for (const auto &entry : std::filesystem::directory_iterator(observations))
       if (entry.path().extension() == ".toml")
       {
         const ObservationSet set = read_observations(entry.path());
@@ -36,7 +37,7 @@ namespace swimtwin
   {
     for (const char *name : {"synthetic-soft.csv", "synthetic-stiff.csv"})
     {
-      const ObservationSet set = read_observations(folder / name);
+      const ObservationSet set = read_observations(observations / name);
       EXPECT_TRUE(set.warnings.empty());
       EXPECT_EQ(set.period, 3);
       ASSERT_EQ(set.points.size(), 12u);
@@ -56,8 +57,8 @@ namespace swimtwin
 
   TEST(ShippedObservations, TracksGiveTheDisplacementBack)
   {
-    const ObservationSet set     = read_observations(folder / "synthetic-tracks.csv");
-    const CsvTable       truth   = CsvTable::read(folder / "synthetic-tracks-truth.csv");
+    const ObservationSet set     = read_observations(observations / "synthetic-tracks.csv");
+    const CsvTable       truth   = CsvTable::read(observations / "synthetic-tracks-truth.csv");
     const auto           truth_m = truth.column("displacement_m"), n_periods = truth.column("n_periods");
     ASSERT_EQ(set.points.size(), truth_m.size());
     EXPECT_FALSE(set.period);
@@ -73,8 +74,8 @@ namespace swimtwin
 
   TEST(ShippedObservations, TrackmateTablesSayTheSameAsTheTracksTheyWereMadeFrom)
   {
-    const ObservationSet tracks    = read_observations(folder / "synthetic-tracks.csv");
-    const ObservationSet trackmate = read_observations(folder / "synthetic-trackmate.toml");
+    const ObservationSet tracks    = read_observations(observations / "synthetic-tracks.csv");
+    const ObservationSet trackmate = read_observations(observations / "synthetic-trackmate.toml");
     ASSERT_EQ(trackmate.points.size(), 2u);
     for (const std::size_t i : {0u, 1u}) // 1 and 1.8 Hz
     {

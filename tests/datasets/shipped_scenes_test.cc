@@ -1,5 +1,6 @@
 #include <datasets/scene.h>
 #include <datasets/swimmer_clearance.h>
+#include <tests/places.h>
 
 #include <gtest/gtest.h>
 
@@ -12,11 +13,11 @@ namespace swimtwin
 {
   namespace
   {
-    const std::filesystem::path folder = SWIMTWIN_SCENES;
+    const std::filesystem::path scenes = places::scenes;
 
     Scene shipped(const std::string &name)
     {
-      return read_scene(folder / (name + ".toml"));
+      return read_scene(scenes / (name + ".toml"));
     }
 
     double highest_x_m(const Scene &scene)
@@ -29,7 +30,7 @@ namespace swimtwin
   TEST(ShippedScenes, AllParse)
   {
     int n_scenes = 0;
-    for (const auto &entry : std::filesystem::directory_iterator(folder))
+    for (const auto &entry : std::filesystem::directory_iterator(scenes))
       if (entry.path().extension() == ".toml")
       {
         ++n_scenes;

@@ -1,7 +1,8 @@
+#include <datasets/snapshot_set.h>
+
 #include <datasets/error.h>
 #include <datasets/hdf5_file.h>
 #include <datasets/provenance.h>
-#include <datasets/snapshot_set.h>
 #include <tests/datasets/temporary_folder.h>
 
 namespace swimtwin
@@ -29,14 +30,14 @@ namespace swimtwin
       return set;
     }
 
-    const Provenance provenance{"swimtwin 0.1.0", "simulate", "dimension = 2\n", "abc", "2025-01-31T12:00:00Z", 7.};
+    const Provenance of_a_run{"swimtwin 0.1.0", "simulate", "dimension = 2\n", "abc", "2025-01-31T12:00:00Z", 7.};
   } // namespace
 
   TEST(SnapshotSet, RoundTripKeepsEveryBit)
   {
     const TemporaryFolder folder;
     const SnapshotSet     written = example_set(4);
-    write_snapshots(folder.path / "snapshots.h5", written, provenance);
+    write_snapshots(folder.path / "snapshots.h5", written, of_a_run);
     const SnapshotSet read = read_snapshots(folder.path / "snapshots.h5");
     EXPECT_EQ(read.tail_nodes_m, written.tail_nodes_m);
     EXPECT_EQ(read.tail_cells, written.tail_cells);
@@ -53,19 +54,19 @@ namespace swimtwin
   TEST(SnapshotSet, ASetWithoutSnapshotsIsASet)
   {
     const TemporaryFolder folder;
-    write_snapshots(folder.path / "snapshots.h5", example_set(0), provenance);
+    write_snapshots(folder.path / "snapshots.h5", example_set(0), of_a_run);
     EXPECT_TRUE(read_snapshots(folder.path / "snapshots.h5").time_s.empty());
   }
 
   TEST(SnapshotSet, CarriesUnitsAndProvenance)
   {
     const TemporaryFolder folder;
-    write_snapshots(folder.path / "snapshots.h5", example_set(2), provenance);
+    write_snapshots(folder.path / "snapshots.h5", example_set(2), of_a_run);
     const Hdf5Reader reader(folder.path / "snapshots.h5");
     EXPECT_EQ(reader.read_text_attribute("/snapshots/velocity_m_s", "units"), "m/s");
     EXPECT_EQ(reader.read_text_attribute("/tail/mass/values", "units"), "m^2");
     EXPECT_FALSE(reader.read_text_attribute("/tail/cells", "description").empty());
-    EXPECT_EQ(reader.read_text_attribute("/", "scene_text"), provenance.scene_text);
+    EXPECT_EQ(reader.read_text_attribute("/", "scene_text"), of_a_run.scene_text);
     EXPECT_EQ(reader.read_text_attribute("/", "scene_hash"), "abc");
     EXPECT_EQ(reader.read_number_attribute("/", "wall_time_s"), 7.);
   }
@@ -74,7 +75,7 @@ namespace swimtwin
   {
     const TemporaryFolder folder;
     const auto            file = folder.path / "snapshots.h5";
-    write_snapshots(file, example_set(4), provenance);
+    write_snapshots(file, example_set(4), of_a_run);
     std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
     expect_in(message_of<InputError>([&] { read_snapshots(file); }),
               "snapshots.h5: it is not an HDF5 file, or it was cut short");
@@ -95,13 +96,13 @@ namespace swimtwin
     const TemporaryFolder folder;
     SnapshotSet           set = example_set(4);
     set.pose.conservativeResize(3, 3);
-    write_snapshots(folder.path / "snapshots.h5", set, provenance);
+    write_snapshots(folder.path / "snapshots.h5", set, of_a_run);
     const std::string message = message_of<InputError>([&] { read_snapshots(folder.path / "snapshots.h5"); });
     expect_in(message, "/snapshots/pose has 3 x 3 values; 4 x 3 are needed");
 
     set = example_set(4);
     set.tail_mass_m2.resize(11, 11);
-    write_snapshots(folder.path / "mass.h5", set, provenance);
+    write_snapshots(folder.path / "mass.h5", set, of_a_run);
     expect_in(message_of<InputError>([&] { read_snapshots(folder.path / "mass.h5"); }),
               "/tail/mass is not a sparse matrix");
   }

@@ -1,5 +1,6 @@
 #include <datasets/csv_table.h>
 #include <datasets/toml_document.h>
+#include <tests/places.h>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -14,7 +15,7 @@ namespace swimtwin
 {
   namespace
   {
-    const std::filesystem::path reference = std::filesystem::path(SWIMTWIN_SCENES).parent_path() / "reference";
+    const std::filesystem::path reference = std::filesystem::path(places::scenes).parent_path() / "reference";
 
     /// One value per point: magnetization, modulus -> by increasing frequency.
     using Curves = std::map<std::pair<double, double>, std::vector<double>>;

@@ -1,8 +1,8 @@
 // The reference swimmer with a bent tail that bends on, for tests of one linear system.
 #pragma once
 
-#include <fom/fluid_domain.h>
-#include <fom/swimmer.h>
+#include <fom/body/swimmer.h>
+#include <fom/fluid/fluid_domain.h>
 #include <tests/fom/shipped_scene.h>
 
 #include <cmath>

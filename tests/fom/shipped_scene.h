@@ -2,6 +2,7 @@
 #pragma once
 
 #include <datasets/scene.h>
+#include <tests/places.h>
 
 #include <filesystem>
 #include <string>
@@ -11,7 +12,7 @@ namespace swimtwin
 {
   inline Scene shipped_scene(const std::string &name, const std::vector<std::string> &overrides = {})
   {
-    return read_scene(std::filesystem::path(SWIMTWIN_SCENES) / (name + ".toml"), overrides);
+    return read_scene(std::filesystem::path(places::scenes) / (name + ".toml"), overrides);
   }
 
   /// "key=value" with enough digits.

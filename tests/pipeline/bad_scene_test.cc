@@ -1,4 +1,5 @@
 #include <tests/pipeline/simulation.h>
+#include <tests/places.h>
 
 namespace swimtwin
 {
@@ -7,7 +8,7 @@ namespace swimtwin
     /// The shipped scene of the case files with a piece of its text replaced.
     std::string edited_scene(const std::string &old_text, const std::string &new_text)
     {
-      std::string text  = content(std::string(SWIMTWIN_SCENES) + "/reference-2d-casefile.toml");
+      std::string text  = content(std::string(places::scenes) + "/reference-2d-casefile.toml");
       const auto  place = text.find(old_text);
       if (place == std::string::npos)
         ADD_FAILURE() << old_text << " is not in the scene";
@@ -131,7 +132,7 @@ namespace swimtwin
   {
     const TemporaryFolder folder;
     expect_failure(
-        run_tool({"resistance", std::string(SWIMTWIN_SCENES) + "/csm1.toml", "--output", folder.path / "run"}), 2,
+        run_tool({"resistance", std::string(places::scenes) + "/csm1.toml", "--output", folder.path / "run"}), 2,
         {"csm1", "[fluid]"});
     EXPECT_FALSE(std::filesystem::exists(folder.path / "run"));
   }

@@ -1,13 +1,15 @@
 #include <tests/pipeline/child_process.h>
 
-#include <fcntl.h>
+#include <tests/places.h>
+
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <fcntl.h>
 #include <thread>
+#include <unistd.h>
 
 namespace swimtwin
 {
@@ -92,7 +94,7 @@ namespace swimtwin
 
   std::vector<std::string> tool(const std::vector<std::string> &arguments)
   {
-    std::vector<std::string> words{SWIMTWIN_TOOL};
+    std::vector<std::string> words{places::tool};
     words.insert(words.end(), arguments.begin(), arguments.end());
     return words;
   }

@@ -1,4 +1,5 @@
 #include <tests/pipeline/simulation.h>
+#include <tests/places.h>
 
 namespace swimtwin
 {
@@ -11,7 +12,7 @@ namespace swimtwin
     std::string checked_times(const std::filesystem::path &fields)
     {
       const double  end_time_s = 0.5 / 0.9;
-      const Outcome outcome    = run({SWIMTWIN_PYTHON, "-B", std::string(SWIMTWIN_CHECKS) + "/check_fields.py", fields,
+      const Outcome outcome    = run({places::python, "-B", std::string(places::checks) + "/check_fields.py", fields,
                                       std::to_string(end_time_s * 1e9) + "e-9"});
       EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
       return outcome.out;

@@ -1,8 +1,9 @@
 #include <tests/pipeline/simulation.h>
+#include <tests/places.h>
 
-#include <iostream>
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <numbers>
 #include <sstream>
 
@@ -28,7 +29,7 @@ namespace swimtwin
     ShrunkScene swimmer_in_turning_field(const TemporaryFolder &folder, const double period_s)
     {
       folder.write("turn.csv", turning_field(period_s));
-      std::string text  = content(std::string(SWIMTWIN_SCENES) + "/reference-2d-casefile.toml");
+      std::string text  = content(std::string(places::scenes) + "/reference-2d-casefile.toml");
       const auto  field = text.find("[field]"), next = text.find("[time]");
       text.replace(field, next - field,
                    "[field]\nprogram = \"turn.csv\"\nperiod_s = " + std::to_string(period_s) + "\n");

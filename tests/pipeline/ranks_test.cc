@@ -1,7 +1,8 @@
 #include <tests/pipeline/simulation.h>
+#include <tests/places.h>
 
-#include <iostream>
 #include <cstdlib>
+#include <iostream>
 
 namespace swimtwin
 {
@@ -45,7 +46,7 @@ namespace swimtwin
     const Outcome         outcome = simulate_on_two_ranks(scene, folder.path / "two");
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     simulate(scene, folder.path / "one");
-    const Outcome compared = run({SWIMTWIN_PYTHON, "-B", std::string(SWIMTWIN_CHECKS) + "/compare_fields.py",
+    const Outcome compared = run({places::python, "-B", std::string(places::checks) + "/compare_fields.py",
                                   folder.path / "one/fields", folder.path / "two/fields"});
     EXPECT_EQ(compared.exit_code, 0) << compared.err;
     EXPECT_EQ(compared.out, "5\n"); // three instants of the tail, two of the fluid

@@ -1,4 +1,5 @@
 #include <tests/pipeline/simulation.h>
+#include <tests/places.h>
 
 #include <fmt/format.h>
 
@@ -20,7 +21,7 @@ namespace swimtwin
     /// What check_page.py prints: the number of pictures.
     int n_pictures(const fs::path &page)
     {
-      const Outcome outcome = run({SWIMTWIN_PYTHON, "-B", std::string(SWIMTWIN_CHECKS) + "/check_page.py", page});
+      const Outcome outcome = run({places::python, "-B", std::string(places::checks) + "/check_page.py", page});
       EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
       return outcome.exit_code == 0 ? std::stoi(outcome.out) : -1;
     }
@@ -87,7 +88,7 @@ namespace swimtwin
   {
     fs::permissions(folder.write("gnuplot", "#!/bin/sh\nexit 1\n"), fs::perms::owner_all);
     const std::string path    = fmt::format("PATH={}:{}", folder.path.string(), std::getenv("PATH"));
-    const Outcome     outcome = run({"env", path, SWIMTWIN_TOOL, "report", run_folder});
+    const Outcome     outcome = run({"env", path, places::tool, "report", run_folder});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     expect_in(outcome.err, "gnuplot is not installed");
     expect_in(content(page), "gnuplot is not installed");

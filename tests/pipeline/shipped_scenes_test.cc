@@ -1,6 +1,6 @@
-#include <tests/pipeline/simulation.h>
-
 #include <datasets/scene.h>
+#include <tests/pipeline/simulation.h>
+#include <tests/places.h>
 
 namespace swimtwin
 {
@@ -9,7 +9,7 @@ namespace swimtwin
     std::vector<std::string> shipped_scenes()
     {
       std::vector<std::string> names;
-      for (const auto &entry : std::filesystem::directory_iterator(SWIMTWIN_SCENES))
+      for (const auto &entry : std::filesystem::directory_iterator(places::scenes))
         if (entry.path().extension() == ".toml")
           names.push_back(entry.path().stem());
       std::sort(names.begin(), names.end());
@@ -20,7 +20,7 @@ namespace swimtwin
     ShrunkScene shrunk(const std::string &name)
     {
       const ShrunkScene whole{name, {"numerics.mesh_growth=0.6"}};
-      const Scene       scene = read_scene(std::filesystem::path(SWIMTWIN_SCENES) / (name + ".toml"));
+      const Scene       scene = read_scene(std::filesystem::path(places::scenes) / (name + ".toml"));
       if (scene.field.period_s() > 0.)
         return whole.with({"time.periods=0.1", "time.steps_per_period=20"});
       return whole.with({"time.steps=" + std::to_string(std::min(scene.time.steps_per_period, 5)),

@@ -1,5 +1,7 @@
 #include <tests/pipeline/simulation.h>
 
+#include <tests/places.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -17,7 +19,7 @@ namespace swimtwin
   std::vector<std::string> ShrunkScene::arguments() const
   {
     const bool               is_shipped = std::filesystem::path(name).extension() != ".toml";
-    std::vector<std::string> arguments{is_shipped ? std::string(SWIMTWIN_SCENES) + "/" + name + ".toml" : name};
+    std::vector<std::string> arguments{is_shipped ? std::string(places::scenes) + "/" + name + ".toml" : name};
     for (const auto &setting : settings)
       arguments.insert(arguments.end(), {"--set", setting});
     return arguments;

@@ -2,6 +2,7 @@
 #include <datasets/csv_table.h>
 #include <rom/resistance_surrogate.h>
 #include <rom/sweep.h>
+#include <tests/places.h>
 #include <tests/rom/example_model.h>
 
 #include <gtest/gtest.h>
@@ -15,7 +16,7 @@ namespace swimtwin
 {
   namespace
   {
-    const std::filesystem::path datasets = std::filesystem::path(SWIMTWIN_SOURCE_DIR) / "datasets";
+    const std::filesystem::path datasets = std::filesystem::path(places::source) / "datasets";
 
     ReducedModel shipped_model(const std::string &name)
     {

@@ -1,5 +1,6 @@
-#include <datasets/error.h>
 #include <rom/uniform_spline.h>
+
+#include <datasets/error.h>
 
 #include <gtest/gtest.h>
 
@@ -11,7 +12,7 @@ namespace swimtwin
 {
   namespace
   {
-    const std::vector<double> places = {0., 0.03, 0.2, 0.4999, 0.71, 0.9, 0.999};
+    const std::vector<double> arguments = {0., 0.03, 0.2, 0.4999, 0.71, 0.9, 0.999};
 
     Eigen::VectorXd some_coefficients(const UniformSpline &spline)
     {
@@ -22,7 +23,7 @@ namespace swimtwin
   TEST(UniformSpline, WeightsSumToOneAndSlopesToZero)
   {
     for (const UniformSpline &spline : {UniformSpline(5, false), UniformSpline(6, true)})
-      for (const double s : places)
+      for (const double s : arguments)
       {
         const auto value = spline.value(s), slope = spline.slope(s);
         EXPECT_NEAR(std::accumulate(value.weight.begin(), value.weight.end(), 0.), 1., 1e-15);
@@ -34,7 +35,7 @@ namespace swimtwin
   {
     constexpr double h = 1e-5;
     for (const UniformSpline &spline : {UniformSpline(5, false), UniformSpline(6, true)})
-      for (const double s : places)
+      for (const double s : arguments)
         if (s > 0.)
         {
           const Eigen::VectorXd c       = some_coefficients(spline);
@@ -60,7 +61,7 @@ namespace swimtwin
     const Eigen::VectorXd s      = Eigen::VectorXd::LinSpaced(30, 0., 1.);
     const auto            cubic  = [](double x) { return 1. - 2. * x + 3. * x * x - 4. * x * x * x; };
     const Eigen::VectorXd values = s.unaryExpr(cubic), c = spline.fit(s, values);
-    for (const double place : places)
+    for (const double place : arguments)
       EXPECT_NEAR(UniformSpline::sum(spline.value(place), c), cubic(place), 1e-13);
   }
 

@@ -1,5 +1,7 @@
 #include <tests/stress/hard_swimmers.h>
 
+#include <tests/places.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -51,7 +53,7 @@ namespace swimtwin
                                        const std::vector<std::string> &settings)
   {
     folder.write("turn.csv", turning_field(period_s));
-    std::string text  = content(std::string(SWIMTWIN_SCENES) + "/reference-2d-casefile.toml");
+    std::string text  = content(std::string(places::scenes) + "/reference-2d-casefile.toml");
     const auto  field = text.find("[field]"), next = text.find("[time]");
     text.replace(field, next - field, "[field]\nprogram = \"turn.csv\"\nperiod_s = " + std::to_string(period_s) + "\n");
     ShrunkScene scene = hard_swimmer(settings, 80);

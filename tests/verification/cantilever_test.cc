@@ -1,5 +1,5 @@
 // A magnetised cantilever in a uniform field against the elastica.
-#include <fom/full_order_model.h>
+#include <fom/step/full_order_model.h>
 #include <tests/fom/shipped_scene.h>
 
 #include <gtest/gtest.h>

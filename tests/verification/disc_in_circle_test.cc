@@ -1,7 +1,8 @@
 // A disc of radius a in a concentric no-slip circle of radius b: the torque and the drag are known exactly.
-#include <fom/full_order_model.h>
-#include <fom/resistance.h>
+#include <fom/resistance/resistance.h>
+#include <fom/step/full_order_model.h>
 #include <tests/fom/shipped_scene.h>
+#include <tests/observed_order.h>
 
 #include <gtest/gtest.h>
 
@@ -50,11 +51,6 @@ namespace swimtwin
               r.n_unknowns,
               1. / std::sqrt(r.n_cells)};
     }
-
-    double order(const double coarse_error, const double fine_error, const double size_ratio)
-    {
-      return std::log(coarse_error / fine_error) / std::log(size_ratio);
-    }
   } // namespace
 
   // Reactions converge with the energy: order 4 for quadratic velocities. At least 3 is asked, because the meshes are
@@ -75,8 +71,8 @@ namespace swimtwin
     EXPECT_LE(errors[1].drag_x, 1e-4);
     EXPECT_LE(errors[1].drag_y, 1e-4);
     const double ratio        = errors[0].cell_size / errors[2].cell_size;
-    const double torque_order = order(errors[0].torque, errors[2].torque, ratio),
-                 drag_order   = order(errors[0].drag_x, errors[2].drag_x, ratio);
+    const double torque_order = observed_order(errors[0].torque, errors[2].torque, ratio),
+                 drag_order   = observed_order(errors[0].drag_x, errors[2].drag_x, ratio);
     std::cout << "disc in circle: orders: torque " << torque_order << ", drag " << drag_order << std::endl;
     EXPECT_GE(torque_order, 3.);
     EXPECT_GE(drag_order, 3.);

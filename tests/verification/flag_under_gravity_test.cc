@@ -1,5 +1,5 @@
 // Turek-Hron CSM1 and CSM2: the flag under its own weight, whole shipped scenes.
-#include <fom/full_order_model.h>
+#include <fom/step/full_order_model.h>
 #include <tests/fom/shipped_scene.h>
 
 #include <gtest/gtest.h>

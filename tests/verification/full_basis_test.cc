@@ -1,6 +1,6 @@
 // The motion map with all of the tail's nodes as modes: the reduced swimmer's equation is the full-order step.
-#include <fom/full_order_model.h>
-#include <fom/motion_resistance.h>
+#include <fom/resistance/motion_resistance.h>
+#include <fom/step/full_order_model.h>
 #include <tests/fom/shipped_scene.h>
 
 #include <gtest/gtest.h>

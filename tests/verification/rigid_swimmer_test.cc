@@ -1,5 +1,5 @@
 // The scallop theorem: a rigid body in Stokes flow goes nowhere, whatever it is turned by.
-#include <fom/full_order_model.h>
+#include <fom/step/full_order_model.h>
 #include <tests/fom/shipped_scene.h>
 
 #include <gtest/gtest.h>

@@ -1,9 +1,10 @@
 // Stokes flow with a known solution between two circles, on curved quadratic triangles.
-#include <fom/condensation.h>
-#include <fom/fluid_mesh.h>
-#include <fom/stokes.h>
-#include <fom/swimmer_outline.h>
+#include <fom/algebra/condensation.h>
+#include <fom/fluid/stokes.h>
+#include <fom/mesh/fluid_mesh.h>
+#include <fom/mesh/swimmer_outline.h>
 #include <tests/fom/shipped_scene.h>
+#include <tests/observed_order.h>
 
 #include <gtest/gtest.h>
 
@@ -16,7 +17,7 @@ namespace swimtwin
   {
     using namespace dealii;
 
-    constexpr double viscosity = 0.7, pressure_scale = 2., alpha = 2., beta = 3.;
+    constexpr double mu = 0.7, pressure_scale = 2., alpha = 2., beta = 3.;
 
     /// u = (d/dy, -d/dx) sin(alpha x) cos(beta y), so that Laplace u = -(alpha^2 + beta^2) u.
     Tensor<1, 2> exact_velocity(const Point<2> &x)
@@ -32,7 +33,7 @@ namespace swimtwin
     {
       const Tensor<1, 2> pressure_gradient({-alpha * std::sin(alpha * x[0]) * std::sin(beta * x[1]),
                                             beta * std::cos(alpha * x[0]) * std::cos(beta * x[1])});
-      return viscosity * (alpha * alpha + beta * beta) * exact_velocity(x) + pressure_gradient;
+      return mu * (alpha * alpha + beta * beta) * exact_velocity(x) + pressure_gradient;
     }
 
     /// Between circles of radius 0.4 m and 1 m, elements of equal size.
@@ -98,7 +99,7 @@ namespace swimtwin
       {
         const auto x = cell_positions<2>(fluid.mesh.cells[c], fluid.mesh.nodes);
         cell.reinit(x);
-        stokes_cell_matrix<2>(cell, viscosity, pressure_scale, K);
+        stokes_cell_matrix<2>(cell, mu, pressure_scale, K);
         std::array<double, n_fluid_cell_dofs<2>> load{};
         for (unsigned int q = 0; q < cell.n_points(); ++q)
         {
@@ -143,11 +144,6 @@ namespace swimtwin
       return {std::sqrt(velocity), std::sqrt(pressure - pressure_mean * pressure_mean / area),
               std::sqrt(area / fluid.mesh.n_cells())};
     }
-
-    double order(const double coarse_error, const double fine_error, const double size_ratio)
-    {
-      return std::log(coarse_error / fine_error) / std::log(size_ratio);
-    }
   } // namespace
 
   // Taylor-Hood theory on isoparametric quadratics: orders 3 for the velocity and 2 for the pressure in L2.
@@ -164,8 +160,8 @@ namespace swimtwin
                 << ", L2 errors: velocity " << e.velocity << ", pressure " << e.pressure << std::endl;
     }
     const double ratio          = errors[0].cell_size / errors[2].cell_size;
-    const double velocity_order = order(errors[0].velocity, errors[2].velocity, ratio),
-                 pressure_order = order(errors[0].pressure, errors[2].pressure, ratio);
+    const double velocity_order = observed_order(errors[0].velocity, errors[2].velocity, ratio),
+                 pressure_order = observed_order(errors[0].pressure, errors[2].pressure, ratio);
     std::cout << "manufactured Stokes: orders: velocity " << velocity_order << ", pressure " << pressure_order
               << std::endl;
     EXPECT_GE(velocity_order, 2.9);

@@ -1,5 +1,5 @@
 // Resistance of the reference swimmer, rigid and at rest in its box: structure and mesh convergence.
-#include <fom/resistance.h>
+#include <fom/resistance/resistance.h>
 #include <tests/fom/shipped_scene.h>
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
-#include <rom/training/basis_builder.h>
-#include <rom/training/shape_sampler.h>
 #include <rom/training/strain_grams.h>
 
-#include <fom/run_recorder.h>
+#include <fom/run/run_recorder.h>
+#include <rom/training/basis_builder.h>
+#include <rom/training/shape_sampler.h>
 #include <tests/fom/shipped_scene.h>
 
 #include <gtest/gtest.h>

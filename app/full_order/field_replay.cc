@@ -1,0 +1,105 @@
+#include <app/full_order/field_replay.h>
+
+#include <app/progress_bar.h>
+#include <control/measured_field.h>
+#include <control/settled_start.h>
+#include <datasets/error.h>
+#include <datasets/field_program_writer.h>
+#include <datasets/output_folder.h>
+#include <datasets/scene_field.h>
+#include <fom/run/simulation.h>
+#include <reports/plan/plan_files.h>
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+
+namespace swimtwin
+{
+  namespace
+  {
+    Scene replay_scene(const ReducedModel &model, const PlanResult &plan, const std::filesystem::path &program,
+                       const double period_s, const double angle_rad, const ReplayOptions &options)
+    {
+      const std::string file = std::filesystem::absolute(program).string();
+      return parse_scene(with_field_program(model.scene_text, file, period_s), model.scene_name + ".toml",
+                         {fmt::format("head.angle_rad={:.17g}", angle_rad),
+                          fmt::format("head.magnetization_A_m={:.17g}", plan.magnetization_A_m),
+                          fmt::format("tail.young_modulus_Pa={:.17g}", plan.young_modulus_Pa),
+                          fmt::format("fluid.viscosity_Pa_s={:.17g}", plan.viscosity_Pa_s),
+                          fmt::format("time.periods={:.1f}", double(options.periods)),
+                          fmt::format("time.steps_per_period={}", options.steps_per_period)});
+    }
+
+    RunRequest request_of(const Scene &scene, const Drive &drive, const ReplayOptions &options)
+    {
+      RunRequest request;
+      request.parameters = swimmer_parameters(scene);
+      request.drive      = drive;
+      request.n_periods  = options.periods;
+      return request;
+    }
+
+    ReplayedField replay_field(const ReducedModel &model, const PlanResult &plan, const PlannedField &field,
+                               const CommonOptions &common, const ReplayOptions &options)
+    {
+      constexpr int               settled_after = 2; // periods
+      const ReducedSwimmer        swimmer(model);
+      const Drive                 drive  = drive_of(field);
+      const std::filesystem::path folder = common.output / "replay" / file_name(field.name);
+      const std::filesystem::path file   = folder / "field.csv";
+      const double samples_per_s         = options.steps_per_period * drive.frequency_Hz; // the steps' own instants
+      if (is_speaker())
+      {
+        std::filesystem::create_directories(folder);
+        write_field_program(file, sampled_program(drive, samples_per_s), common.command_line);
+      }
+      MPI_Barrier(MPI_COMM_WORLD);
+      ReplayedField replayed;
+      replayed.name            = field.name;
+      Scene      scene         = replay_scene(model, plan, file, 1. / drive.frequency_Hz, 0., options);
+      RunRequest run           = request_of(scene, drive, options);
+      replayed.start_angle_rad = settled_start_angle_rad(swimmer, run, start_of(field), settled_after);
+      run.initial_state        = state_at_rest(swimmer, replayed.start_angle_rad);
+      replayed.reduced_displacement_m =
+          displacement_per_period(SwimmerIntegrator(swimmer, {}).run(run), plan.heading_rad);
+
+      scene = replay_scene(model, plan, file, 1. / drive.frequency_Hz, replayed.start_angle_rad, options);
+      SimulationOptions simulation;
+      simulation.folder       = folder;
+      simulation.command_line = common.command_line;
+      ProgressBar bar(common.quiet || !is_speaker());
+      simulation.on_progress = [&](const SimulationProgress &p) {
+        bar.show(p.steps_done, p.steps_total, p.steps_done_here, p.wall_time_s);
+      };
+      const SimulationResult result = simulate(scene, simulation, MPI_COMM_WORLD);
+      const Eigen::Vector2d  head_first(-std::cos(plan.heading_rad), -std::sin(plan.heading_rad));
+      const auto             n = static_cast<std::size_t>(options.steps_per_period);
+      for (std::size_t k = n; k < result.trajectory.size(); k += n)
+      {
+        const TrajectoryRow &from = result.trajectory[k - n], &to = result.trajectory[k];
+        replayed.displacement_m.push_back(
+            head_first.dot(Eigen::Vector2d(to.head_x_m - from.head_x_m, to.head_y_m - from.head_y_m)));
+      }
+      if (replayed.displacement_m.size() != static_cast<std::size_t>(options.periods))
+        throw ComputationError(fmt::format("the full-order model took other steps than it was asked for in {}; the "
+                                           "replay cannot be read",
+                                           folder.string()));
+      replayed.mean_speed_m_s = replayed.displacement_m.back() * drive.frequency_Hz;
+      return replayed;
+    }
+  } // namespace
+
+  PlanReplay replay_on_full_order_model(const ReducedModel &model, const PlanResult &plan, const CommonOptions &common,
+                                        const ReplayOptions &options)
+  {
+    const auto start = std::chrono::steady_clock::now();
+    PlanReplay replay;
+    replay.steps_per_period = options.steps_per_period;
+    for (const char *name : {tuned_field_name, optimal_field_name})
+      replay.fields.push_back(replay_field(model, plan, *plan.find(name), common, options));
+    replay.wall_time_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return replay;
+  }
+} // namespace swimtwin

@@ -1,0 +1,20 @@
+// A plan's fields on the full-order model.
+#pragma once
+
+#include <app/verb.h>
+#include <datasets/plan_result.h>
+#include <datasets/reduced_model.h>
+
+namespace swimtwin
+{
+  struct ReplayOptions
+  {
+    int periods          = 3;
+    int steps_per_period = 200;
+  };
+
+  /// Runs the tuned sinusoid and the optimal field of a plan from rest, straight, at the angle from which the motion
+  /// settles fastest; results go to folders of the output. Collective.
+  PlanReplay replay_on_full_order_model(const ReducedModel &model, const PlanResult &plan, const CommonOptions &common,
+                                        const ReplayOptions &options);
+} // namespace swimtwin

@@ -1,0 +1,41 @@
+// The online build and its tests: everything that would run the full-order model says that it is not there.
+#include <app/full_order/field_replay.h>
+#include <app/full_order/flow_output.h>
+#include <app/full_order/full_order_build.h>
+#include <app/full_order/full_order_plant.h>
+#include <app/full_order/full_order_run.h>
+#include <datasets/error.h>
+
+namespace swimtwin
+{
+  void require_full_order_model(const std::string &option)
+  {
+    throw InputError(option + " needs the full-order model, which this build is without: use the tool of the release "
+                              "build, or leave the option out");
+  }
+
+  void write_flow_of_run(const Scene &, const ReducedModel &, double, const std::vector<ReducedSnapshot> &,
+                         const std::filesystem::path &, const std::function<void(int)> &)
+  {
+    require_full_order_model("a flow");
+  }
+
+  double full_order_displacement_m(const Scene &, const std::filesystem::path &)
+  {
+    require_full_order_model("a full-order run");
+    return 0.;
+  }
+
+  std::unique_ptr<Plant> make_full_order_plant(const Scene &, const FullOrderPlantOptions &)
+  {
+    require_full_order_model("[loop] plant = \"full-order\"");
+    return {};
+  }
+
+  PlanReplay replay_on_full_order_model(const ReducedModel &, const PlanResult &, const CommonOptions &,
+                                        const ReplayOptions &)
+  {
+    require_full_order_model("a replay");
+    return {};
+  }
+} // namespace swimtwin

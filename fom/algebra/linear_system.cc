@@ -1,0 +1,289 @@
+#include <fom/algebra/linear_system.h>
+
+#include <fom/algebra/cpu_time.h>
+#include <fom/algebra/petsc_error.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace swimtwin
+{
+  namespace
+  {
+    void use_factors(const KSP ksp, const PCType type)
+    {
+      PC pc;
+      check_petsc(KSPGetPC(ksp, &pc), "made a solver");
+      check_petsc(PCSetType(pc, type), "made a solver");
+      check_petsc(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS), "chose MUMPS");
+    }
+
+    /// Of the upper triangle alone. MUMPS orders by the pattern (ICNTL(12) = 1), not by the first values it sees: a
+    /// resumed run sees others, and repeats the arithmetic all the same.
+    void use_symmetric_factors(const KSP ksp)
+    {
+      use_factors(ksp, PCCHOLESKY);
+      PC  pc;
+      Mat factors;
+      check_petsc(KSPGetPC(ksp, &pc), "made a solver");
+      check_petsc(PCFactorSetUpMatSolverType(pc), "made a solver");
+      check_petsc(PCFactorGetMatrix(pc, &factors), "made a solver");
+      check_petsc(MatMumpsSetIcntl(factors, 12, 1), "set up MUMPS");
+    }
+  } // namespace
+
+  LinearSystem::LinearSystem(const MPI_Comm communicator, const LinearSolverOptions &options)
+      : communicator_(communicator), options_(options)
+  {
+  }
+
+  LinearSystem::~LinearSystem()
+  {
+    clear();
+  }
+
+  void LinearSystem::clear()
+  {
+    VecScatterDestroy(&gather_);
+    VecDestroy(&gathered_);
+    VecDestroy(&correction_);
+    VecDestroy(&residual_);
+    VecDestroy(&solution_);
+    VecDestroy(&rhs_);
+    KSPDestroy(&ksp_);
+    MatDestroy(&matrix_);
+    has_factors_ = false;
+  }
+
+  void LinearSystem::set_pattern(const PetscInt first_row, const PetscInt last_row, std::vector<PetscInt> rows,
+                                 std::vector<PetscInt> columns)
+  {
+    const ScopedCpuTime time(counts_.assembly_cpu_s);
+    clear();
+    first_row_ = first_row;
+    last_row_  = last_row;
+    check_petsc(MatCreate(communicator_, &matrix_), "made a matrix");
+    check_petsc(MatSetSizes(matrix_, last_row - first_row, last_row - first_row, PETSC_DETERMINE, PETSC_DETERMINE),
+                "sized a matrix");
+    check_petsc(MatSetType(matrix_, MATAIJ), "made a matrix");
+    check_petsc(MatSetPreallocationCOO(matrix_, rows.size(), rows.data(), columns.data()), "laid out a matrix");
+    if (options_.positive_definite)
+      check_petsc(MatSetOption(matrix_, MAT_SPD, PETSC_TRUE), "marked a matrix");
+    check_petsc(MatCreateVecs(matrix_, &solution_, &rhs_), "made vectors");
+    check_petsc(VecDuplicate(solution_, &residual_), "made vectors");
+    check_petsc(VecDuplicate(solution_, &correction_), "made vectors");
+    check_petsc(VecGetSize(rhs_, &size_), "sized vectors");
+    check_petsc(VecScatterCreateToAll(solution_, &gather_, &gathered_), "made vectors");
+
+    check_petsc(KSPCreate(communicator_, &ksp_), "made a solver");
+    check_petsc(KSPSetOperators(ksp_, matrix_, matrix_), "made a solver");
+    check_petsc(KSPSetType(ksp_, KSPGMRES), "made a solver");
+    check_petsc(KSPGMRESSetRestart(ksp_, 60), "made a solver");
+    check_petsc(KSPSetInitialGuessNonzero(ksp_, PETSC_TRUE), "made a solver");
+    check_petsc(KSPConvergedDefaultSetUIRNorm(ksp_), "made a solver");
+    use_factors(ksp_, options_.positive_definite ? PCCHOLESKY : PCLU);
+  }
+
+  void LinearSystem::set_matrix(const std::vector<double> &values)
+  {
+    const ScopedCpuTime time(counts_.assembly_cpu_s);
+    check_petsc(MatSetValuesCOO(matrix_, values.data(), INSERT_VALUES), "filled a matrix");
+    factors_are_old_ = true;
+  }
+
+  void LinearSystem::set_right_hand_side(const std::vector<double> &contributions)
+  {
+    const ScopedCpuTime   time(counts_.assembly_cpu_s);
+    std::vector<PetscInt> indices;
+    std::vector<double>   values;
+    for (PetscInt i = 0; i < size_; ++i)
+      if (contributions[i] != 0.)
+      {
+        indices.push_back(i);
+        values.push_back(contributions[i]);
+      }
+    VecZeroEntries(rhs_);
+    check_petsc(VecSetValues(rhs_, indices.size(), indices.data(), values.data(), ADD_VALUES), "filled a vector");
+    check_petsc(VecAssemblyBegin(rhs_), "filled a vector");
+    check_petsc(VecAssemblyEnd(rhs_), "filled a vector");
+  }
+
+  bool LinearSystem::factorize()
+  {
+    const ScopedCpuTime time(counts_.factorization_cpu_s);
+    ++counts_.n_factorizations;
+    check_petsc(KSPSetReusePreconditioner(ksp_, PETSC_FALSE), "set up a solver");
+    // Tell the preconditioner that the values changed, then factorise here so that its time is counted here.
+    check_petsc(KSPSetOperators(ksp_, matrix_, matrix_), "set up a solver");
+    check_petsc(KSPSetUp(ksp_), "factorised");
+    PC             pc;
+    PCFailedReason failure;
+    check_petsc(KSPGetPC(ksp_, &pc), "factorised");
+    check_petsc(PCGetFailedReason(pc, &failure), "factorised");
+    has_factors_         = failure == PC_NOERROR;
+    factors_are_old_     = !has_factors_;
+    solves_with_factors_ = 0;
+    effort_with_factors_ = options_.factorization_effort;
+    if (!has_factors_)
+      check_petsc(KSPReset(ksp_), "dropped failed factors");
+    return has_factors_;
+  }
+
+  bool LinearSystem::iterate_with_old_factors(const std::vector<double> &guess)
+  {
+    const ScopedCpuTime time(counts_.solve_cpu_s);
+    double             *local;
+    VecGetArray(solution_, &local);
+    std::copy(guess.begin() + first_row_, guess.begin() + last_row_, local);
+    VecRestoreArray(solution_, &local);
+    check_petsc(KSPSetReusePreconditioner(ksp_, PETSC_TRUE), "set up a solver");
+    // Relative to the solution: its guess has that size. Without one the first residual has it; it also bounds from
+    // below what a guess that is far too small would ask for.
+    double guess_norm;
+    VecNorm(solution_, NORM_2, &guess_norm);
+    const bool has_guess = guess_norm > 0.;
+    check_petsc(KSPSetTolerances(ksp_, (has_guess ? 1e-3 : 1.) * tolerance_,
+                                 has_guess ? tolerance_ * guess_norm : 1e-300, 1e10, options_.max_stale_iterations),
+                "set up a solver");
+    check_petsc(KSPSolve(ksp_, rhs_, solution_), "solved");
+    PetscInt           iterations;
+    KSPConvergedReason reason;
+    check_petsc(KSPGetIterationNumber(ksp_, &iterations), "solved");
+    check_petsc(KSPGetConvergedReason(ksp_, &reason), "solved");
+    note_effort(iterations);
+    return reason > 0;
+  }
+
+  double LinearSystem::residual_norm()
+  {
+    double norm;
+    check_petsc(MatResidual(matrix_, rhs_, solution_, residual_), "solved");
+    VecNorm(residual_, NORM_2, &norm);
+    return norm;
+  }
+
+  bool LinearSystem::refine()
+  {
+    // One solve with the factors is enough, and the residuals, whose rows are scaled in another way, show it. Where
+    // they do not, a correction that is itself below the tolerance is the last one, and so is one that shrinks no more:
+    // it is round-off, and no solver has a better solution.
+    constexpr int       most_corrections = 6;
+    constexpr double    scaling          = 1e3; // between shares of residuals and of errors; 300 seen
+    const double        round_off        = std::max(options_.tolerance, 1e-9); // at most
+    const ScopedCpuTime time(counts_.solve_cpu_s);
+    PC                  pc;
+    check_petsc(KSPGetPC(ksp_, &pc), "solved");
+    // No guess: a residual costs more than what it would save.
+    VecZeroEntries(solution_);
+    VecCopy(rhs_, residual_);
+    double before, change_before = std::numeric_limits<double>::infinity();
+    VecNorm(residual_, NORM_2, &before);
+    for (int n = 1; n <= most_corrections; ++n)
+    {
+      double change, size;
+      check_petsc(PCApply(pc, residual_, correction_), "solved");
+      VecAXPY(solution_, 1., correction_);
+      VecNorm(correction_, NORM_2, &change);
+      VecNorm(solution_, NORM_2, &size);
+      note_effort(1);
+      const double after = residual_norm();
+      if (change <= tolerance_ * size || scaling * (after / before) * change <= tolerance_ * size)
+        return true;
+      if (!(change < .5 * change_before))
+        return change <= round_off * size;
+      before        = after;
+      change_before = change;
+    }
+    return false;
+  }
+
+  void LinearSystem::note_effort(const int iterations)
+  {
+    // Old factors have served their time when a solve costs more than the average since they were made, their making
+    // included: the marginal cost then raises the mean.
+    counts_.n_iterations += iterations;
+    effort_with_factors_ += iterations;
+    ++solves_with_factors_;
+    factors_are_worn_ = iterations * solves_with_factors_ > effort_with_factors_;
+  }
+
+  bool LinearSystem::solve(std::vector<double> &solution)
+  {
+    ++counts_.n_solves;
+    bool converged = false;
+    if (has_factors_ && !factors_are_old_)
+      converged = refine();
+    else if (has_factors_ && options_.reuse_factorization && !factors_are_worn_)
+      converged = iterate_with_old_factors(solution);
+    if (!converged && options_.symmetric)
+    {
+      // Half the work; where pivots fail it, what follows takes the whole matrix.
+      use_symmetric_factors(ksp_);
+      converged = factorize() && refine();
+      if (!converged)
+        use_factors(ksp_, PCLU);
+    }
+    if (!converged)
+      converged = factorize() && refine();
+    VecScatterBegin(gather_, solution_, gathered_, INSERT_VALUES, SCATTER_FORWARD);
+    VecScatterEnd(gather_, solution_, gathered_, INSERT_VALUES, SCATTER_FORWARD);
+    const double *all;
+    VecGetArrayRead(gathered_, &all);
+    solution.assign(all, all + size_);
+    VecRestoreArrayRead(gathered_, &all);
+    for (const double value : solution)
+      if (!std::isfinite(value))
+        return false;
+    return converged;
+  }
+
+  bool LinearSystem::solve_together(std::vector<std::vector<double>> &columns)
+  {
+    if (options_.symmetric)
+      use_symmetric_factors(ksp_);
+    if (!factorize())
+      return false;
+    const ScopedCpuTime time(counts_.solve_cpu_s);
+    counts_.n_solves += columns.size();
+    const PetscInt n = columns.size(), n_local = last_row_ - first_row_;
+    Mat            B, X, factors;
+    PC             pc;
+    check_petsc(KSPGetPC(ksp_, &pc), "solved");
+    check_petsc(PCFactorGetMatrix(pc, &factors), "solved");
+    for (Mat *M : {&B, &X})
+      check_petsc(MatCreateDense(communicator_, n_local, PETSC_DECIDE, size_, n, nullptr, M),
+                  "made a block of vectors");
+    double *local;
+    check_petsc(MatDenseGetArrayWrite(B, &local), "filled a block of vectors");
+    for (PetscInt j = 0; j < n; ++j)
+      std::copy_n(columns[j].begin() + first_row_, n_local, local + j * n_local);
+    check_petsc(MatDenseRestoreArrayWrite(B, &local), "filled a block of vectors");
+    check_petsc(MatMatSolve(factors, B, X), "solved");
+
+    const double *solved;
+    check_petsc(MatDenseGetArrayRead(X, &solved), "solved");
+    bool finite = true;
+    for (PetscInt j = 0; j < n; ++j)
+    {
+      std::fill(columns[j].begin(), columns[j].end(), 0.);
+      std::copy_n(solved + j * n_local, n_local, columns[j].begin() + first_row_);
+      MPI_Allreduce(MPI_IN_PLACE, columns[j].data(), size_, MPI_DOUBLE, MPI_SUM, communicator_);
+      for (const double value : columns[j])
+        finite = finite && std::isfinite(value);
+    }
+    check_petsc(MatDenseRestoreArrayRead(X, &solved), "solved");
+    MatDestroy(&X);
+    MatDestroy(&B);
+    return finite;
+  }
+
+  double LinearSystem::response_to_unit_load(const PetscInt unknown)
+  {
+    std::vector<double> load(size_, 0.), response(size_, 0.);
+    if (first_row_ <= unknown && unknown < last_row_)
+      load[unknown] = 1.;
+    set_right_hand_side(load);
+    return solve(response) ? response[unknown] : std::numeric_limits<double>::quiet_NaN();
+  }
+} // namespace swimtwin

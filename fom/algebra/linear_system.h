@@ -1,0 +1,94 @@
+// A distributed sparse system that is assembled and solved many times with one pattern.
+#pragma once
+
+#include <petscksp.h>
+
+#include <string>
+#include <vector>
+
+namespace swimtwin
+{
+  /// How hard the solver worked, over all solves.
+  struct LinearSolverCounts
+  {
+    int    n_solves = 0, n_factorizations = 0, n_iterations = 0;
+    double assembly_cpu_s = 0., factorization_cpu_s = 0., solve_cpu_s = 0.;
+  };
+
+  struct LinearSolverOptions
+  {
+    double tolerance = 1e-9; ///< on the preconditioned residual, relative to the guess or, without one, to the solution
+    bool   reuse_factorization  = true; ///< keep the last factors as preconditioner while they serve
+    int    max_stale_iterations = 12;   ///< give up on old factors after so many GMRES iterations and factorise anew
+    int  factorization_effort = 8; ///< of a factorisation in GMRES iterations: 7 to 8 measured in 2D at 17,000 unknowns
+    bool positive_definite    = false; ///< Cholesky instead of LU
+    bool symmetric            = false; ///< factorise the upper triangle alone, LDL^T
+  };
+
+  /// Matrix entries are given by rows and columns once (MatSetPreallocationCOO), then only their values change; entries
+  /// given several times add up, those with a negative index are dropped. MUMPS keeps its analysis with the pattern.
+  class LinearSystem
+  {
+  public:
+    LinearSystem(MPI_Comm communicator, const LinearSolverOptions &options);
+    ~LinearSystem();
+    LinearSystem(const LinearSystem &)            = delete;
+    LinearSystem &operator=(const LinearSystem &) = delete;
+
+    /// Rows [first, last) live on this rank; `rows` and `columns` are this rank's contributions. Collective.
+    void set_pattern(PetscInt first_row, PetscInt last_row, std::vector<PetscInt> rows, std::vector<PetscInt> columns);
+    /// Values in the order of the pattern. Collective.
+    void set_matrix(const std::vector<double> &values);
+    /// This rank's contributions to the right-hand side, of full length; summed over ranks. Collective.
+    void set_right_hand_side(const std::vector<double> &contributions);
+
+    /// For the solves to come: a tolerance below that of the options. A solve that, with fresh factors, reaches only
+    /// that of the options has not failed.
+    void aim_at(const double tolerance) { tolerance_ = tolerance; }
+
+    /// Factorise anew at the next solve, so that what follows does not depend on what was before.
+    void forget_factors() { has_factors_ = false; }
+
+    /// Solve and replace `solution` (full length on every rank), from which old factors start; new ones need no guess.
+    /// False if neither gave the tolerance, or the result is not finite. Collective.
+    bool solve(std::vector<double> &solution);
+    /// Solve for several right-hand sides (full length, the same on every rank) by one factorisation of the matrix as
+    /// it is, without iterations, and replace them by their solutions. Collective.
+    bool solve_together(std::vector<std::vector<double>> &columns);
+
+    /// Response of an unknown to a unit load on it alone; not a number if it could not be solved for. Replaces the
+    /// right-hand side. Collective.
+    double response_to_unit_load(PetscInt unknown);
+
+    const LinearSolverCounts &counts() const { return counts_; }
+    void                      set_counts(const LinearSolverCounts &counts) { counts_ = counts; }
+    PetscInt                  size() const { return size_; }
+    Mat                       matrix() const { return matrix_; }
+
+  private:
+    void clear();
+    void note_effort(int iterations);
+    bool factorize();
+    bool iterate_with_old_factors(const std::vector<double> &guess);
+    /// With factors of the matrix as it is, from nothing.
+    bool refine();
+    /// Of the solution as it is; leaves the residual behind.
+    double residual_norm();
+
+    MPI_Comm            communicator_;
+    LinearSolverOptions options_;
+    LinearSolverCounts  counts_;
+    double              tolerance_  = options_.tolerance;
+    Mat                 matrix_     = nullptr;
+    Vec                 rhs_        = nullptr;
+    Vec                 solution_   = nullptr;
+    Vec                 residual_   = nullptr;
+    Vec                 correction_ = nullptr;
+    Vec                 gathered_   = nullptr;
+    VecScatter          gather_     = nullptr;
+    KSP                 ksp_        = nullptr;
+    PetscInt            size_ = 0, first_row_ = 0, last_row_ = 0;
+    bool                has_factors_ = false, factors_are_old_ = true, factors_are_worn_ = false;
+    int                 solves_with_factors_ = 0, effort_with_factors_ = 0;
+  };
+} // namespace swimtwin

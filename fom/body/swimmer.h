@@ -1,0 +1,116 @@
+// The body: rigid head and elastic tail, its surface, its kinematics and the loads that a field and gravity put on it.
+#pragma once
+
+#include <datasets/scene.h>
+#include <fom/body/elastic_tail.h>
+#include <fom/geometry/rigid_pose.h>
+#include <fom/mesh/tail_mesh.h>
+
+#include <memory>
+
+namespace swimtwin
+{
+  /// Where every point of the body is: x = center + R (X + shape(X)), the shape zero at the head.
+  template <int dim>
+  struct Configuration
+  {
+    RigidPose<dim>  pose;
+    NodalField<dim> shape; ///< m, at the tail's nodes, head frame; empty without a tail
+  };
+
+  /// Its rate of change.
+  template <int dim>
+  struct Rates
+  {
+    dealii::Tensor<1, dim> velocity;   ///< of the head's centre, m/s
+    AngularVelocity<dim>   omega;      ///< rad/s
+    NodalField<dim>        shape_rate; ///< m/s, head frame
+  };
+
+  /// Torque (N m; N in 2D, per unit depth) of the field on the head, and its derivative by the angle.
+  struct MagneticTorque
+  {
+    double torque, derivative;
+  };
+
+  /// moment x (cos(angle) by - sin(angle) bx): the moment points along the body's +x.
+  MagneticTorque magnetic_torque(double moment_A_m2, double angle_rad, const std::array<double, 3> &field_T);
+
+  /// Whether an implicit step is too long for an unstable equilibrium. With the torque's derivative by the angular
+  /// velocity, a = slope_weight dT/dangle, the head resists by zeta - a: that grows soft where the equilibrium's growth
+  /// rate (dT/dangle) / zeta nears 1 / slope_weight, and beyond it turns the head back. Half of this rate is borne.
+  /// `response`: 1 / (zeta - a), angular velocity per torque.
+  inline bool is_outrun(const double torque_by_rate, const double response)
+  {
+    return !(response > 0. && torque_by_rate * response <= 1.);
+  }
+
+  /// The body's description; it does not move. Built once per run. Collective.
+  template <int dim>
+  class Swimmer
+  {
+  public:
+    Swimmer(const Scene &scene, MPI_Comm communicator);
+
+    bool                    has_tail() const { return tail_ != nullptr; }
+    const TailMesh<dim>    &tail() const { return *tail_; }
+    const ElasticTail<dim> &elasticity() const { return *elasticity_; }
+    bool                    is_clamped(const unsigned int tail_node) const { return is_clamped_[tail_node]; }
+
+    /// Surface nodes: position at rest (head frame), and the tail's node there, or -1 on the bare head.
+    unsigned int               n_surface_nodes() const { return surface_at_rest_.size(); }
+    const dealii::Point<dim>  &surface_at_rest(const unsigned int k) const { return surface_at_rest_[k]; }
+    int                        tail_node(const unsigned int k) const { return tail_node_of_surface_[k]; }
+    const std::vector<double> &surface_mesh_size() const { return surface_mesh_size_; }
+
+    RigidPose<dim>                  pose_at_rest() const;
+    Configuration<dim>              configuration_at_rest() const;
+    std::vector<dealii::Point<dim>> surface(const Configuration<dim> &configuration) const;
+    std::vector<dealii::Point<dim>> tail_positions(const Configuration<dim> &configuration) const;
+    /// Area (m^2) inside the surface, its quadratic edges included, and the rate at which it changes (2D).
+    double area(const Configuration<dim> &configuration) const;
+    double area_rate(const Configuration<dim> &configuration, const Rates<dim> &rates) const;
+    /// Laboratory velocities of the tail's nodes.
+    NodalField<dim> tail_velocities(const Configuration<dim> &configuration, const Rates<dim> &rates) const;
+
+    /// Distance between two configurations relative to the body: root mean square over the tail, or the head's.
+    double relative_change(const Configuration<dim> &a, const Configuration<dim> &b) const;
+
+    /// Load of field and gravity on tail node a (laboratory, N per unit depth).
+    dealii::Tensor<1, dim> load_on_tail_node(unsigned int a, double time_s) const;
+    /// The field's part of it.
+    dealii::Tensor<1, dim> magnetic_load_on_tail_node(unsigned int a, double time_s) const;
+    /// Force of gravity less buoyancy on the head, and the field's torque on it.
+    dealii::Tensor<1, dim> force_on_head(double time_s) const;
+    MagneticTorque         torque_on_head(double angle_rad, double time_s) const;
+
+    /// From the head's centre to the body's middle, the mean position of its surface (m, head frame): linear in the
+    /// shape. The middle is what time stepping advances (docs/equations.md, section 6); of a fixed head it is the
+    /// centre.
+    dealii::Tensor<1, dim> arm_to_middle(const NodalField<dim> &shape) const;
+    dealii::Tensor<1, dim> rate_of_arm(const NodalField<dim> &shape_rate) const; ///< m/s
+
+    /// Angle (rad, from +x, not unwrapped) of the tail's axis at its tip.
+    double tail_angle(const Configuration<dim> &configuration) const;
+
+    const Scene &scene() const { return scene_; }
+
+  private:
+    void                   make_tail(const SwimmerOutline &outline, MPI_Comm communicator);
+    void                   straighten_tail();
+    void                   weigh_surface();
+    dealii::Tensor<1, dim> effective_gravity(double body_density_kg_m3, double time_s) const;
+
+    const Scene                      &scene_;
+    std::unique_ptr<TailMesh<dim>>    tail_;
+    std::unique_ptr<ElasticTail<dim>> elasticity_;
+    std::vector<dealii::Point<dim>>   surface_at_rest_;
+    std::vector<int>                  tail_node_of_surface_;
+    std::vector<double>               surface_mesh_size_;
+    std::vector<double>               surface_weight_; ///< share of the surface that is a node's
+    dealii::Tensor<1, dim>            arm_at_rest_;
+    std::vector<char>                 is_clamped_;
+    double                            body_length_;
+    bool                              is_symmetric_; ///< half of the scene is solved and reflected
+  };
+} // namespace swimtwin

@@ -1,0 +1,279 @@
+#include <fom/coupling/coupled_system.h>
+
+#include <datasets/mirror_plane.h>
+#include <fom/body/tail_rows.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <numeric>
+
+namespace swimtwin
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    std::unique_ptr<NodeNumbering<dim>> number_tail(const Swimmer<dim> &swimmer)
+    {
+      return swimmer.has_tail() ? std::make_unique<NodeNumbering<dim>>(swimmer.tail().mesh, false) : nullptr;
+    }
+  } // namespace
+
+  template <int dim>
+  CoupledSystem<dim>::CoupledSystem(const Swimmer<dim> &swimmer, FluidDomain<dim> *fluid, LinearSystem &system,
+                                    const MPI_Comm communicator)
+      : swimmer_(swimmer), fluid_(fluid), system_(system), n_fluid_rows_(fluid ? fluid->n_rows() : 0),
+        rank_(Utilities::MPI::this_mpi_process(communicator)), n_ranks_(Utilities::MPI::n_mpi_processes(communicator)),
+        tail_numbering_(number_tail(swimmer)),
+        map_(n_fluid_rows_, tail_numbering_ ? tail_numbering_->size() : 0, swimmer.scene().body_length_m()),
+        condensation_(map_)
+  {
+    if (tail_numbering_)
+      describe_tail();
+    if (fluid_)
+    {
+      // A tail that can change its area fixes the pressure's level by itself; a rigid body in a closed domain does not.
+      fluid_->describe(map_, !swimmer.has_tail() && !swimmer.scene().domain->has_traction_free_wall());
+      describe_surface();
+    }
+    if (solves_half(swimmer.scene()))
+      describe_mirror();
+    std::vector<unsigned int> owner;
+    for (unsigned int row = 0; row < n_fluid_rows_; ++row)
+      owner.push_back(fluid_->row_owner(row));
+    for (unsigned int row = 0; tail_numbering_ && row < tail_numbering_->size(); ++row)
+      owner.push_back(tail_numbering_->owner(row));
+    map_.close(owner, !swimmer.scene().head.fixed, communicator);
+    lay_out();
+  }
+
+  template <int dim>
+  void CoupledSystem<dim>::lay_out()
+  {
+    if (fluid_)
+      fluid_->add_cells(condensation_);
+    if (tail_numbering_)
+    {
+      const auto &mesh = swimmer_.tail().mesh;
+      for (unsigned int c = 0; c < mesh.n_cells(); ++c)
+        if (mesh.is_owned(c) && !tail_pairs_.is_image(mesh.cells[c]))
+        {
+          std::vector<unsigned int> rows;
+          for (const auto node : mesh.cells[c])
+            for (int i = 0; i < dim; ++i)
+              rows.push_back(tail_row(node, i));
+          const auto number = condensation_.add_cell(rows, tail_pairs_.weight());
+          if (tail_cells_.empty())
+            first_tail_cell_ = number;
+          tail_cells_.push_back(c);
+        }
+    }
+    if (head_turns() && rank_ + 1 == n_ranks_)
+      rotation_entry_ = condensation_.add_entry(map_.first_head_unknown() + dim);
+    condensation_.lay_out(system_);
+  }
+
+  template <int dim>
+  void CoupledSystem<dim>::describe_tail()
+  {
+    // Rows of the tail hold w - omega x r: elastic forces do not feel the head's rotation, and the matrix is symmetric.
+    for (unsigned int a = 0; a < swimmer_.tail().mesh.n_nodes(); ++a)
+      for (int c = 0; c < dim; ++c)
+        if (swimmer_.is_clamped(a))
+          map_.tie(tail_row(a, c), {map_.head_row(c)});
+    tie_linear_tail(map_, swimmer_,
+                    [this](const unsigned int node, const unsigned int c) { return tail_row(node, c); });
+  }
+
+  template <int dim>
+  void CoupledSystem<dim>::describe_surface()
+  {
+    for (unsigned int k = 0; k < swimmer_.n_surface_nodes(); ++k)
+      for (int c = 0; c < dim; ++c)
+      {
+        const int node = swimmer_.tail_node(k);
+        if (node < 0)
+          map_.tie_to_head(fluid_->surface_row(k, c), c, swimmer_.surface_at_rest(k));
+        else
+          map_.tie_and_turn(fluid_->surface_row(k, c), tail_row(node, c), c, swimmer_.surface_at_rest(k));
+      }
+  }
+
+  template <int dim>
+  void CoupledSystem<dim>::move_surface(const Configuration<dim> &configuration)
+  {
+    for (unsigned int k = 0; fluid_ && k < swimmer_.n_surface_nodes(); ++k)
+      if (const int node = swimmer_.tail_node(k); node >= 0)
+        for (int c = 0; c < dim; ++c)
+          map_.move_on_head(fluid_->surface_row(k, c), swimmer_.surface_at_rest(k) + configuration.shape[node]);
+    map_.set_rotation(configuration.pose.rotation());
+  }
+
+  template <int dim>
+  void CoupledSystem<dim>::describe_mirror()
+  {
+    map_.keep_head_on_axis();
+    if (tail_numbering_)
+    {
+      tail_pairs_ = MirrorPairs<dim>(swimmer_.tail().mesh, swimmer_.tail().image_of_vertex);
+      tail_pairs_.describe(map_, *tail_numbering_, false, n_fluid_rows_);
+    }
+    if (fluid_)
+      fluid_->describe_mirror(map_);
+  }
+
+  template <int dim>
+  bool CoupledSystem<dim>::solve(const LinearizationPoint<dim> &point, std::vector<double> &unknowns)
+  {
+    move_surface(point.configuration);
+    if (fluid_)
+      fluid_->set_wall_velocities(map_, point.time_s);
+    condensation_.reset();
+    if (fluid_)
+      fluid_->assemble(condensation_, -point.area_rate);
+    if (tail_numbering_)
+      assemble_tail(point);
+    if (map_.head_is_free())
+      assemble_head(point);
+    system_.set_matrix(condensation_.values());
+    system_.set_right_hand_side(condensation_.right_hand_side());
+    return system_.solve(unknowns);
+  }
+
+  template <int dim>
+  bool CoupledSystem<dim>::field_outruns_step()
+  {
+    return torque_by_rate_ > 0. && head_turns() &&
+           is_outrun(torque_by_rate_ / (map_.length_scale() * map_.length_scale()),
+                     system_.response_to_unit_load(map_.first_head_unknown() + dim));
+  }
+
+  template <int dim>
+  typename CoupledSystem<dim>::TailCellSystem
+  CoupledSystem<dim>::linearize_tail_cell(const unsigned int cell, const LinearizationPoint<dim> &point) const
+  {
+    // Internal forces on the geometry x_k, linear in the velocities v = U + R_k d' of the cell's nodes:
+    // R_k f(d) ~ R_k (f(d_k) + slope K (R_k^T v - d'_k)); what all nodes have in common, U, changes nothing.
+    constexpr unsigned int                 n     = ElasticTail<dim>::n_cell_dofs;
+    const auto                            &nodes = swimmer_.tail().mesh.cells[cell];
+    const Tensor<2, dim>                   R     = point.configuration.pose.rotation();
+    TailCellSystem                         system;
+    typename ElasticTail<dim>::CellForce   force;
+    typename ElasticTail<dim>::CellTangent K;
+    swimmer_.elasticity().cell_force_and_tangent(cell, point.configuration.shape, force, K);
+    for (unsigned int a = 0; a < nodes.size(); ++a)
+    {
+      Tensor<1, dim> f;
+      for (int i = 0; i < dim; ++i)
+        f[i] = -force[a * dim + i];
+      for (unsigned int b = 0; b < nodes.size(); ++b)
+      {
+        Tensor<2, dim> block;
+        for (int i = 0; i < dim; ++i)
+          for (int j = 0; j < dim; ++j)
+            block[i][j] = point.slope_weight * K[a * dim + i][b * dim + j];
+        f += block * point.rates.shape_rate[nodes[b]];
+        block = R * block * transpose(R);
+        for (int i = 0; i < dim; ++i)
+          for (int j = 0; j < dim; ++j)
+            system.matrix[a * dim + i][b * dim + j] = block[i][j];
+      }
+      f = R * f;
+      for (int i = 0; i < dim; ++i)
+        system.load[a * dim + i] = f[i];
+    }
+    static_assert(n == TailCellSystem::size);
+    return system;
+  }
+
+  template <int dim>
+  void CoupledSystem<dim>::assemble_tail(const LinearizationPoint<dim> &point)
+  {
+    for (unsigned int number = 0; number < tail_cells_.size(); ++number)
+    {
+      const TailCellSystem system = linearize_tail_cell(tail_cells_[number], point);
+      condensation_.add(first_tail_cell_ + number, system.matrix, system.load);
+    }
+    for (unsigned int a = 0; a < swimmer_.tail().mesh.n_nodes(); ++a)
+      add_dead_load(a, point);
+  }
+
+  template <int dim>
+  void CoupledSystem<dim>::add_dead_load(const unsigned int node, const LinearizationPoint<dim> &point)
+  {
+    const Tensor<1, dim> load = swimmer_.load_on_tail_node(node, point.time_s);
+    const Tensor<1, dim> r =
+        point.configuration.pose.rotation() * (swimmer_.tail().mesh.nodes[node] + point.configuration.shape[node]);
+    for (int c = 0; c < dim; ++c)
+      if (tail_numbering_->owner(tail_numbering_->vector_index(node, c)) == rank_)
+      {
+        map_.add_load(tail_row(node, c), load[c], condensation_.right_hand_side());
+        for (int k = 0; k < n_rotations<dim>; ++k)
+        {
+          AngularVelocity<dim> axis;
+          axis[k] = 1.;
+          map_.add_load(map_.head_row(dim + k), rotational_velocity<dim>(axis, r)[c] * load[c],
+                        condensation_.right_hand_side());
+        }
+      }
+  }
+
+  template <int dim>
+  void CoupledSystem<dim>::assemble_head(const LinearizationPoint<dim> &point)
+  {
+    const auto [torque, derivative] = swimmer_.torque_on_head(point.configuration.pose.angle, point.time_s);
+    torque_by_rate_                 = derivative * point.slope_weight;
+    if (rank_ + 1 != n_ranks_)
+      return;
+    const double         length = map_.length_scale();
+    const unsigned int   first  = map_.first_head_unknown();
+    auto                &rhs    = condensation_.right_hand_side();
+    const Tensor<1, dim> force  = swimmer_.force_on_head(point.time_s);
+    for (unsigned int c = 0; c < dim && c < map_.n_head_unknowns(); ++c)
+      rhs[first + c] += force[c];
+    if (!head_turns())
+      return;
+    rhs[first + dim] += (torque - torque_by_rate_ * point.rates.omega[0]) / length;
+    condensation_.add_to_entry(rotation_entry_, -torque_by_rate_ / (length * length));
+  }
+
+  template <int dim>
+  CoupledVelocities<dim> CoupledSystem<dim>::velocities(const std::vector<double> &unknowns) const
+  {
+    CoupledVelocities<dim> v;
+    for (unsigned int k = 0; k < map_.n_head_unknowns(); ++k)
+      if (const double value = unknowns[map_.first_head_unknown() + k]; k < dim)
+        v.head_velocity[k] = value;
+      else
+        v.head_omega[k - dim] = value / map_.length_scale();
+    if (tail_numbering_)
+    {
+      const std::vector<double> rows = map_.expand(unknowns);
+      v.tail.resize(swimmer_.tail().mesh.n_nodes());
+      for (unsigned int a = 0; a < v.tail.size(); ++a)
+        for (int c = 0; c < dim; ++c)
+          v.tail[a][c] = rows[tail_row(a, c)];
+    }
+    return v;
+  }
+
+  template <int dim>
+  std::vector<double> CoupledSystem<dim>::guess(const CoupledVelocities<dim> &v) const
+  {
+    std::vector<double> unknowns(map_.n_unknowns(), 0.);
+    for (unsigned int k = 0; k < map_.n_head_unknowns(); ++k)
+      unknowns[map_.first_head_unknown() + k] =
+          k < dim ? v.head_velocity[k] : v.head_omega[k - dim] * map_.length_scale();
+    for (unsigned int a = 0; a < v.tail.size(); ++a)
+      for (int c = 0; c < dim; ++c)
+      {
+        const unsigned int row = tail_row(a, c);
+        if (!swimmer_.is_clamped(a) && map_.end(row) - map_.begin(row) == 1)
+          unknowns[map_.begin(row)->unknown] = v.tail[a][c] / map_.begin(row)->coefficient;
+      }
+    return unknowns;
+  }
+
+  template class CoupledSystem<2>;
+} // namespace swimtwin

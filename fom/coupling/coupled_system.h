@@ -1,0 +1,90 @@
+// One linear system for fluid, tail and head velocities: the monolithic coupling, P^T A P.
+#pragma once
+
+#include <fom/body/swimmer.h>
+#include <fom/fluid/fluid_domain.h>
+
+namespace swimtwin
+{
+  /// Point of linearisation of one coupling iteration.
+  template <int dim>
+  struct LinearizationPoint
+  {
+    const Configuration<dim> &configuration;
+    const Rates<dim>         &rates;
+    double                    slope_weight; ///< d(position)/d(velocity) of the time step, s
+    double                    time_s;
+    double                    area_rate = 0.; ///< that the body's surface shall have in a closed domain, m^2/s
+  };
+
+  /// What was solved for, nodal. The tail's velocities leave out the head's rotation, so that they are those of its
+  /// shape, in the laboratory's directions, beside the head's translation: U + R d'.
+  template <int dim>
+  struct CoupledVelocities
+  {
+    dealii::Tensor<1, dim> head_velocity;
+    AngularVelocity<dim>   head_omega;
+    NodalField<dim>        tail; ///< w - omega x R (X + d), m/s
+  };
+
+  /// Lives as long as the fluid's mesh (for ever without fluid), because its pattern does.
+  template <int dim>
+  class CoupledSystem
+  {
+  public:
+    /// `fluid` may be null: a tail in vacuum. Both must outlive this. Collective.
+    CoupledSystem(const Swimmer<dim> &swimmer, FluidDomain<dim> *fluid, LinearSystem &system, MPI_Comm communicator);
+
+    /// Assemble at a point (the fluid's mesh is already there) and solve. `unknowns` holds the initial guess, then the
+    /// solution. False if the linear solver failed. Collective.
+    bool solve(const LinearizationPoint<dim> &point, std::vector<double> &unknowns);
+
+    /// Whether, at the last point of linearisation, the field turns the head away from an unstable equilibrium in less
+    /// time than the step. Collective.
+    bool field_outruns_step();
+
+    CoupledVelocities<dim> velocities(const std::vector<double> &unknowns) const;
+    /// Unknowns with the body's velocities in their places and the fluid at rest: a guess after remeshing.
+    std::vector<double> guess(const CoupledVelocities<dim> &velocities) const;
+    /// Rows' values: fluid (velocities, scaled pressures), then tail (without the head's rotation).
+    std::vector<double> expand(const std::vector<double> &unknowns) const { return map_.expand(unknowns); }
+
+    unsigned int n_unknowns() const { return map_.n_unknowns(); }
+
+  private:
+    void describe_tail();
+    void describe_surface();
+    void move_surface(const Configuration<dim> &configuration);
+    void describe_mirror();
+    void lay_out();
+    /// Linearised forces of one tail cell: rows and columns are its nodes' velocities without the head's rotation.
+    struct TailCellSystem
+    {
+      static constexpr unsigned int              size = ElasticTail<dim>::n_cell_dofs;
+      std::array<std::array<double, size>, size> matrix;
+      std::array<double, size>                   load{};
+    };
+    TailCellSystem linearize_tail_cell(unsigned int cell, const LinearizationPoint<dim> &point) const;
+    void           add_dead_load(unsigned int node, const LinearizationPoint<dim> &point);
+    void           assemble_tail(const LinearizationPoint<dim> &point);
+    void           assemble_head(const LinearizationPoint<dim> &point);
+    bool           head_turns() const { return map_.n_head_unknowns() > dim; }
+    unsigned int   tail_row(const unsigned int node, const unsigned int component) const
+    {
+      return n_fluid_rows_ + tail_numbering_->vector_index(node, component);
+    }
+
+    const Swimmer<dim>                 &swimmer_;
+    FluidDomain<dim>                   *fluid_;
+    LinearSystem                       &system_;
+    unsigned int                        n_fluid_rows_, rank_, n_ranks_;
+    std::unique_ptr<NodeNumbering<dim>> tail_numbering_;
+    MirrorPairs<dim>                    tail_pairs_; ///< when half of the scene is solved
+    MotionMap<dim>                      map_;
+    Condensation<dim>                   condensation_;
+    std::vector<unsigned int>           tail_cells_;          ///< owned, no images
+    unsigned int                        first_tail_cell_ = 0; ///< its number in the condensation
+    unsigned int                        rotation_entry_  = 0;
+    double                              torque_by_rate_  = 0.; ///< of the field, by the head's angular velocity
+  };
+} // namespace swimtwin

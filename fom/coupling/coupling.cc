@@ -1,0 +1,102 @@
+#include <fom/coupling/coupling.h>
+
+#include <fom/coupling/fixed_point_coupling.h>
+#include <fom/coupling/monolithic_coupling.h>
+
+namespace swimtwin
+{
+  using namespace dealii;
+
+  std::string cause(const StepOutcome outcome)
+  {
+    switch (outcome)
+    {
+    case StepOutcome::accepted:
+      return "accepted";
+    case StepOutcome::mesh_inverted:
+      return "an element of the fluid's mesh was turned inside out";
+    case StepOutcome::tail_inverted:
+      return "an element of the tail was turned inside out";
+    case StepOutcome::coupling_diverged:
+      return "the coupling iteration did not converge";
+    case StepOutcome::linear_solver_failed:
+      return "the linear solver failed";
+    case StepOutcome::unstable_equilibrium:
+      return "the field turns the head away from an unstable equilibrium in less time than the step";
+    case StepOutcome::tail_equilibrium_failed:
+      return "Newton's method for the tail under the fluid's load did not converge";
+    }
+    return "unknown";
+  }
+
+  std::string remedy(const StepOutcome outcome, const Scene &scene)
+  {
+    switch (outcome)
+    {
+    case StepOutcome::mesh_inverted:
+      return "refine [numerics] mesh_size_m or raise [time] steps_per_period; if the body comes close to a wall or to "
+             "itself, contact is not modelled";
+    case StepOutcome::tail_inverted:
+    case StepOutcome::tail_equilibrium_failed:
+      return scene.tail->law == MaterialModel::st_venant_kirchhoff
+                 ? "the tail is compressed beyond what the St Venant-Kirchhoff law can bear, or the step is too long: "
+                   "use "
+                   "[tail] law = \"neo-hookean\", raise [time] steps_per_period, or check young_modulus_Pa, "
+                   "magnetization_A_m and the field"
+                 : "raise [time] steps_per_period, or check young_modulus_Pa, magnetization_A_m and the field";
+    case StepOutcome::unstable_equilibrium:
+      return "raise [time] steps_per_period or [numerics] max_step_halvings, or check magnetization_A_m and the field";
+    case StepOutcome::coupling_diverged:
+      return "raise [time] steps_per_period, or check that the field, magnetization_A_m and young_modulus_Pa are what "
+             "you meant";
+    default:
+      return "refine [numerics] mesh_size_m, or check that the scene's values are what you meant";
+    }
+  }
+
+  bool is_partitioned(const Scene &scene)
+  {
+    return scene.numerics.coupling == CouplingScheme::fixed_point && scene.fluid && scene.tail;
+  }
+
+  template <int dim>
+  std::unique_ptr<Coupling<dim>> make_coupling(const Swimmer<dim> &swimmer, const MPI_Comm communicator)
+  {
+    if (is_partitioned(swimmer.scene()))
+      return std::make_unique<FixedPointCoupling<dim>>(swimmer, communicator);
+    return std::make_unique<MonolithicCoupling<dim>>(swimmer, communicator);
+  }
+
+  template <int dim>
+  Point<dim> head_center(const Swimmer<dim> &swimmer, const TimeStep<dim> &step,
+                         const Configuration<dim> &configuration, const Rates<dim> &rates)
+  {
+    const Tensor<2, dim> R   = configuration.pose.rotation();
+    const Tensor<1, dim> arm = R * swimmer.arm_to_middle(configuration.shape);
+    const Tensor<1, dim> velocity_of_middle =
+        rates.velocity + rotational_velocity<dim>(rates.omega, arm) + R * swimmer.rate_of_arm(rates.shape_rate);
+    return step.known.pose.center + step.slope_weight * velocity_of_middle - arm;
+  }
+
+  LinearSolverOptions solver_options(const Numerics &numerics)
+  {
+    LinearSolverOptions options;
+    options.tolerance           = numerics.linear_tolerance;
+    options.reuse_factorization = numerics.reuse_factorization;
+    options.symmetric           = true; // every system of the form P^T A P here is
+    return options;
+  }
+
+  std::vector<double> extrapolate(const std::vector<double> &now, const std::vector<double> &before,
+                                  const double growth)
+  {
+    std::vector<double> next = now;
+    if (!before.empty())
+      for (std::size_t i = 0; i < next.size(); ++i)
+        next[i] += growth * (now[i] - before[i]);
+    return next;
+  }
+
+  template Point<2> head_center<2>(const Swimmer<2> &, const TimeStep<2> &, const Configuration<2> &, const Rates<2> &);
+  template std::unique_ptr<Coupling<2>> make_coupling<2>(const Swimmer<2> &, MPI_Comm);
+} // namespace swimtwin

@@ -1,0 +1,190 @@
+#include <fom/fluid/fluid_domain.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+
+namespace swimtwin
+{
+  using namespace dealii;
+
+  template <int dim>
+  FluidDomain<dim>::FluidDomain(const Scene &scene, FluidMesh<dim> fluid_mesh, const RigidPose<dim> &pose)
+      : scene_(scene), fluid_mesh_(std::move(fluid_mesh)), numbering_(fluid_mesh_.mesh, true),
+        mirror_pairs_(fluid_mesh_.mesh, fluid_mesh_.image_of_vertex), pose_at_meshing_(pose), positions_(mesh().nodes),
+        pressure_scale_(scene.fluid->viscosity_Pa_s / scene.body_length_m()),
+        quality_(worst_quality(mesh(), positions_))
+  {
+    std::vector<char> is_at_surface(mesh().n_nodes(), 0);
+    for (const auto node : fluid_mesh_.surface_nodes)
+      is_at_surface[node] = 1;
+    for (unsigned int c = 0; c < mesh().n_cells(); ++c)
+      if (mesh().is_owned(c) && !mirror_pairs_.is_image(mesh().cells[c]))
+      {
+        owned_cells_.push_back(c);
+        if (std::any_of(mesh().cells[c].begin(), mesh().cells[c].end(),
+                        [&](const unsigned int node) { return is_at_surface[node]; }))
+          owned_cells_at_surface_.push_back(c);
+        map_.reinit(cell_positions<dim>(mesh().cells[c], positions_));
+        for (unsigned int q = 0; q < map_.n_points(); ++q)
+          volume_ += mirror_pairs_.weight() * map_.weight(q);
+      }
+    volume_ = Utilities::MPI::sum(volume_, mesh().communicator());
+  }
+
+  template <int dim>
+  void FluidDomain<dim>::describe(MotionMap<dim> &map, const bool pin_pressure) const
+  {
+    for (const auto &[node, wall, name] : fluid_mesh_.wall_nodes)
+      if (wall->condition != WallCondition::traction_free)
+        for (int c = 0; c < dim; ++c)
+          map.impose(numbering_.vector_index(node, c));
+    if (pin_pressure)
+      map.impose(numbering_.pressure_index(fluid_mesh_.wall_nodes.front().node));
+  }
+
+  template <int dim>
+  void FluidDomain<dim>::set_wall_velocities(MotionMap<dim> &map, const double time_s) const
+  {
+    for (const auto &[node, wall, name] : fluid_mesh_.wall_nodes)
+      if (wall->condition == WallCondition::moving_wall || wall->condition == WallCondition::inflow)
+      {
+        const Tensor<1, dim> v = wall_velocity(*scene_.domain, name, positions_[node], time_s);
+        for (int c = 0; c < dim; ++c)
+          map.imposed[numbering_.vector_index(node, c)] = v[c];
+      }
+  }
+
+  template <int dim>
+  double FluidDomain<dim>::follow(const std::vector<Point<dim>> &surface, const RigidPose<dim> &pose)
+  {
+    // A domain that moves with the swimmer is deformed in the head's frame, where its walls are still.
+    const bool                  co_moving = scene_.domain->moves_with_swimmer;
+    std::vector<Tensor<1, dim>> displacement(surface.size());
+    double                      largest = 0.;
+    for (unsigned int k = 0; k < surface.size(); ++k)
+    {
+      const Point<dim> x = co_moving ? pose_at_meshing_.to_laboratory(pose.to_head_frame(surface[k])) : surface[k];
+      displacement[k]    = x - mesh().nodes[fluid_mesh_.surface_nodes[k]];
+      largest            = std::max(largest, displacement[k].norm());
+    }
+    if (largest > 1e-14 * scene_.body_length_m())
+    {
+      if (!extension_)
+      {
+        std::vector<unsigned int> still;
+        for (const auto &wall_node : fluid_mesh_.wall_nodes)
+          still.push_back(wall_node.node);
+        extension_ = std::make_unique<MeshExtension<dim>>(mesh(), numbering_, scene_.numerics.mesh_motion,
+                                                          fluid_mesh_.surface_nodes, still, mirror_pairs_);
+      }
+      const auto extended = extension_->extend(displacement);
+      if (extended.empty())
+        return quality_ = -1.;
+      for (unsigned int i = 0; i < positions_.size(); ++i)
+        positions_[i] = mesh().nodes[i] + extended[i];
+    }
+    else
+      positions_ = mesh().nodes;
+    if (co_moving)
+      for (auto &x : positions_)
+        x = pose.to_laboratory(pose_at_meshing_.to_head_frame(x));
+    return quality_ = worst_quality(mesh(), positions_);
+  }
+
+  template <int dim>
+  std::vector<unsigned int> FluidDomain<dim>::cell_rows(const unsigned int cell) const
+  {
+    std::vector<unsigned int> rows;
+    for (const auto node : mesh().cells[cell])
+      for (int c = 0; c < dim; ++c)
+        rows.push_back(numbering_.vector_index(node, c));
+    for (int v = 0; v <= dim; ++v)
+      rows.push_back(numbering_.pressure_index(mesh().cells[cell][v]));
+    return rows;
+  }
+
+  template <int dim>
+  void FluidDomain<dim>::add_cells(Condensation<dim> &condensation) const
+  {
+    for (const auto c : owned_cells_)
+      condensation.add_cell(cell_rows(c), mirror_pairs_.weight());
+  }
+
+  template <int dim>
+  void FluidDomain<dim>::assemble(Condensation<dim> &condensation, const double source) const
+  {
+    FluidCellMatrix<dim>                       K;
+    std::array<double, n_fluid_cell_dofs<dim>> load{};
+    for (unsigned int k = 0; k < owned_cells_.size(); ++k)
+    {
+      map_.reinit(cell_positions<dim>(mesh().cells[owned_cells_[k]], positions_));
+      stokes_cell_matrix<dim>(map_, scene_.fluid->viscosity_Pa_s, pressure_scale_, K);
+      for (int v = 0; v <= dim; ++v)
+      {
+        double &f = load[n_cell_nodes<dim> * dim + v];
+        f         = 0.;
+        for (unsigned int q = 0; q < map_.n_points(); ++q)
+          f -= pressure_scale_ * source / volume_ * map_.weight(q) * map_.linear_value(q, v);
+      }
+      condensation.add(k, K, load);
+    }
+  }
+
+  template <int dim>
+  double FluidDomain<dim>::sum_forces(const std::vector<unsigned int> &cells, const std::vector<double> &values,
+                                      std::vector<double> &force) const
+  {
+    constexpr unsigned int n_velocity  = n_cell_nodes<dim> * dim;
+    double                 dissipation = 0.;
+    FluidCellMatrix<dim>   K;
+    for (const auto c : cells)
+    {
+      map_.reinit(cell_positions<dim>(mesh().cells[c], positions_));
+      stokes_cell_matrix<dim>(map_, scene_.fluid->viscosity_Pa_s, pressure_scale_, K);
+      const auto rows = cell_rows(c);
+      for (unsigned int i = 0; i < rows.size(); ++i)
+      {
+        double viscous = 0., total = 0.;
+        for (unsigned int j = 0; j < rows.size(); ++j)
+        {
+          total += K[i][j] * values[rows[j]];
+          if (j < n_velocity)
+            viscous = total;
+        }
+        force[rows[i]] += total;
+        if (i < n_velocity)
+          dissipation += values[rows[i]] * viscous;
+      }
+    }
+    Utilities::MPI::sum(force, mesh().communicator(), force);
+    mirror_pairs_.complete(force, numbering_);
+    return mirror_pairs_.weight() * dissipation;
+  }
+
+  template <int dim>
+  std::vector<double> FluidDomain<dim>::force_on_fluid_at_surface(const std::vector<double> &values) const
+  {
+    std::vector<double> force(n_rows(), 0.);
+    sum_forces(owned_cells_at_surface_, values, force);
+    return force;
+  }
+
+  template <int dim>
+  FluidReaction FluidDomain<dim>::react(const std::vector<double> &values) const
+  {
+    FluidReaction reaction{std::vector<double>(n_rows(), 0.), 0., 0.};
+    reaction.dissipation = sum_forces(owned_cells_, values, reaction.force);
+    reaction.dissipation = Utilities::MPI::sum(reaction.dissipation, mesh().communicator());
+    for (const auto &[node, wall, name] : fluid_mesh_.wall_nodes)
+      if (wall->condition != WallCondition::traction_free)
+        for (int c = 0; c < dim; ++c)
+        {
+          const auto row = numbering_.vector_index(node, c);
+          reaction.wall_power += values[row] * reaction.force[row];
+        }
+    return reaction;
+  }
+
+  template class FluidDomain<2>;
+} // namespace swimtwin

@@ -1,0 +1,87 @@
+#include <fom/geometry/simplex_mesh.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace swimtwin
+{
+  using namespace dealii;
+
+  template <int dim>
+  SimplexMesh<dim>::SimplexMesh(const SimplexSoup<dim> &soup, const MPI_Comm communicator)
+      : triangulation_(std::make_unique<parallel::shared::Triangulation<dim>>(
+            communicator, Triangulation<dim>::none, false,
+            parallel::shared::Triangulation<dim>::Settings::partition_metis))
+  {
+    std::vector<CellData<dim>> cell_data;
+    cell_data.reserve(soup.cells.size());
+    for (const auto &corners : soup.cells)
+    {
+      CellData<dim> cell(dim + 1);
+      std::copy(corners.begin(), corners.end(), cell.vertices.begin());
+      cell_data.push_back(cell);
+    }
+    triangulation_->create_triangulation(soup.vertices, cell_data, SubCellData());
+
+    edges_.resize(triangulation_->n_raw_lines());
+    cells.reserve(triangulation_->n_active_cells());
+    for (const auto &cell : triangulation_->active_cell_iterators())
+    {
+      CellNodes<dim> cell_nodes;
+      for (const auto v : cell->vertex_indices())
+        cell_nodes[v] = cell->vertex_index(v);
+      for (const auto l : cell->line_indices())
+      {
+        std::array<unsigned int, 2> ends = {cell->line(l)->vertex_index(0), cell->line(l)->vertex_index(1)};
+        std::sort(ends.begin(), ends.end());
+        const unsigned int line = cell->line(l)->index();
+        edges_[line]            = ends;
+        cell_nodes[dim + 1 + l] = n_vertices() + line;
+        edge_of_vertices_[ends] = line;
+      }
+      cells.push_back(cell_nodes);
+      owned_.push_back(cell->is_locally_owned());
+    }
+
+    nodes = triangulation_->get_vertices();
+    for (const auto &[a, b] : edges_)
+      nodes.push_back(0.5 * (nodes[a] + nodes[b]));
+  }
+
+  template <int dim>
+  unsigned int SimplexMesh<dim>::edge_node(const unsigned int vertex_a, const unsigned int vertex_b) const
+  {
+    return n_vertices() + edge_of_vertices_.at({std::min(vertex_a, vertex_b), std::max(vertex_a, vertex_b)});
+  }
+
+  double element_quality(const std::array<Point<2>, 6> &x)
+  {
+    // Columns of the Jacobian, dx/dr and dx/ds, are linear; the determinant is quadratic in (r, s) and lies above its
+    // smallest Bernstein coefficient.
+    const auto determinant = [&](const double r, const double s) {
+      const double       l  = 1. - r - s;
+      const Tensor<1, 2> dr = (4 * r - 1) * x[1] - (4 * l - 1) * Tensor<1, 2>(x[0]) + 4 * (l - r) * Tensor<1, 2>(x[3]) +
+                              4 * s * (x[4] - x[5]);
+      const Tensor<1, 2> ds = (4 * s - 1) * x[2] - (4 * l - 1) * Tensor<1, 2>(x[0]) + 4 * (l - s) * Tensor<1, 2>(x[5]) +
+                              4 * r * (x[4] - x[3]);
+      return dr[0] * ds[1] - dr[1] * ds[0];
+    };
+    const double v0 = determinant(0, 0), v1 = determinant(1, 0), v2 = determinant(0, 1);
+    const double m01 = 2 * determinant(.5, 0) - .5 * (v0 + v1), m12 = 2 * determinant(.5, .5) - .5 * (v1 + v2),
+                 m20      = 2 * determinant(0, .5) - .5 * (v2 + v0);
+    const double smallest = std::min({v0, v1, v2, m01, m12, m20});
+    const double sides    = (x[1] - x[0]).norm_square() + (x[2] - x[1]).norm_square() + (x[0] - x[2]).norm_square();
+    return 2. * std::sqrt(3.) * smallest / sides;
+  }
+
+  double worst_quality(const SimplexMesh<2> &mesh, const std::vector<Point<2>> &positions)
+  {
+    double worst = std::numeric_limits<double>::max();
+    for (const auto &cell : mesh.cells)
+      worst = std::min(worst, element_quality(cell_positions<2>(cell, positions)));
+    return worst;
+  }
+
+  template class SimplexMesh<2>;
+  template class SimplexMesh<3>;
+} // namespace swimtwin

@@ -1,0 +1,58 @@
+// The mesh of the fluid around the swimmer as it is now, and the names of its boundary nodes.
+#pragma once
+
+#include <datasets/scene.h>
+#include <fom/geometry/planar_curve.h>
+#include <fom/geometry/rigid_pose.h>
+#include <fom/geometry/simplex_mesh.h>
+
+namespace swimtwin
+{
+  struct WallNode
+  {
+    unsigned int node;
+    const Wall  *wall; ///< at a corner the stronger condition (wall_loop.cc)
+    std::string  wall_name;
+  };
+
+  template <int dim>
+  struct FluidMesh
+  {
+    SimplexMesh<dim>          mesh;
+    std::vector<unsigned int> surface_nodes; ///< mesh node of every node of the swimmer's surface, same order
+    std::vector<WallNode>     wall_nodes;
+    std::vector<unsigned int> image_of_vertex; ///< of a mesh that is its own mirror image, else empty
+  };
+
+  /// Mesh the fluid around a swimmer's surface (laboratory positions, quadratic loop, counter-clockwise), which is kept
+  /// node for node, with `surface_size` (m) at each of its vertices. A domain that moves with the swimmer is placed by
+  /// the pose. Collective; throws ComputationError.
+  FluidMesh<2> make_fluid_mesh(const Domain &domain, const std::vector<dealii::Point<2>> &surface,
+                               const std::vector<double> &surface_size, const RigidPose<2> &pose,
+                               const RigidPose<2> &pose_at_rest, const Numerics &numerics, MPI_Comm communicator);
+
+  /// The same where the surface is its own mirror image at the height of the domain's centre: mesh the upper half and
+  /// reflect it.
+  FluidMesh<2> make_symmetric_fluid_mesh(const Domain &domain, const std::vector<dealii::Point<2>> &surface,
+                                         const std::vector<double> &surface_size, const RigidPose<2> &pose,
+                                         const RigidPose<2> &pose_at_rest, const Numerics &numerics,
+                                         MPI_Comm communicator);
+
+  /// A fluid mesh as plain data, to be written and made again node for node.
+  template <int dim>
+  struct FluidMeshRecord
+  {
+    SimplexSoup<dim>                soup;
+    std::vector<dealii::Point<dim>> nodes;
+    std::vector<unsigned int>       surface_nodes, wall_nodes;
+    std::vector<std::string>        wall_names; ///< of each wall node
+    std::vector<unsigned int>       image_of_vertex;
+  };
+
+  FluidMeshRecord<2> record(const FluidMesh<2> &fluid_mesh);
+  FluidMesh<2>       make_fluid_mesh(const Domain &domain, const FluidMeshRecord<2> &record, MPI_Comm communicator);
+
+  /// Velocity (m/s) that a wall imposes at a point; zero for no-slip. Not for traction-free walls.
+  dealii::Tensor<1, 2> wall_velocity(const Domain &domain, const std::string &wall_name, const dealii::Point<2> &x,
+                                     double time_s);
+} // namespace swimtwin

@@ -1,0 +1,67 @@
+#include <fom/resistance/resistance.h>
+
+#include <datasets/error.h>
+#include <fom/resistance/fluid_rigid_system.h>
+
+#include <cmath>
+
+namespace swimtwin
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    double largest_asymmetry(const FullMatrix<double> &R)
+    {
+      double largest = 0.;
+      for (int i = 0; i < n_rigid<dim>; ++i)
+        for (int j = 0; j < i; ++j)
+          largest = std::max(largest, std::abs(R(i, j) - R(j, i)) / std::sqrt(R(i, i) * R(j, j)));
+      return largest;
+    }
+  } // namespace
+
+  template <int dim>
+  ResistanceResult<dim> compute_resistance(const Swimmer<dim> &swimmer, const Configuration<dim> &configuration,
+                                           const MPI_Comm communicator)
+  {
+    const Scene     &scene = swimmer.scene();
+    const auto       pose  = configuration.pose;
+    FluidDomain<dim> fluid(scene,
+                           make_fluid_mesh(*scene.domain, swimmer.surface(configuration), swimmer.surface_mesh_size(),
+                                           pose, swimmer.pose_at_rest(), scene.numerics, communicator),
+                           pose);
+
+    LinearSolverOptions options;
+    options.tolerance = 1e-13;
+    LinearSystem          solver(communicator, options);
+    FluidRigidSystem<dim> system(swimmer, fluid, solver, true, communicator);
+
+    // Unit loads give the columns of the mobility.
+    constexpr int      n = n_rigid<dim>;
+    FullMatrix<double> mobility(n, n);
+    for (int j = 0; j < n; ++j)
+    {
+      Tensor<1, n> unit_load;
+      unit_load[j] = 1.;
+      system.assemble(configuration, {}, std::nullopt);
+      system.add_load(unit_load);
+      std::vector<double> unknowns(system.n_unknowns(), 0.);
+      if (!system.solve(unknowns))
+        throw ComputationError(
+            "the Stokes problem of the resistance matrix could not be solved: change [numerics] mesh_size_m");
+      const auto velocity = system.rigid_velocity(unknowns);
+      for (int i = 0; i < n; ++i)
+        mobility(i, j) = velocity[i];
+    }
+
+    ResistanceResult<dim> result{FullMatrix<double>(n, n), 0., system.n_unknowns(), fluid.mesh().n_cells()};
+    result.matrix.invert(mobility);
+    result.asymmetry = largest_asymmetry<dim>(result.matrix);
+    return result;
+  }
+
+  template struct ResistanceResult<2>;
+  template ResistanceResult<2> compute_resistance<2>(const Swimmer<2> &, const Configuration<2> &, MPI_Comm);
+} // namespace swimtwin

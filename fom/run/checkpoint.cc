@@ -1,0 +1,227 @@
+#include <fom/run/checkpoint.h>
+
+#include <datasets/error.h>
+#include <datasets/hdf5_file.h>
+
+#include <sstream>
+
+namespace swimtwin
+{
+  using namespace dealii;
+
+  namespace
+  {
+    const ArrayMeaning number{"1", "state of the run; see docs/file-formats.md"};
+
+    std::vector<double> flat(const NodalField<2> &field)
+    {
+      std::vector<double> values;
+      for (const auto &v : field)
+        values.insert(values.end(), {v[0], v[1]});
+      return values;
+    }
+
+    NodalField<2> nodal(const std::vector<double> &values)
+    {
+      NodalField<2> field;
+      for (unsigned int i = 0; i + 1 < values.size(); i += 2)
+        field.push_back(Tensor<1, 2>({values[i], values[i + 1]}));
+      return field;
+    }
+
+    std::vector<double> flat(const std::vector<Point<2>> &points)
+    {
+      std::vector<double> values;
+      for (const auto &x : points)
+        values.insert(values.end(), {x[0], x[1]});
+      return values;
+    }
+
+    std::vector<Point<2>> points(const std::vector<double> &values)
+    {
+      std::vector<Point<2>> result;
+      for (unsigned int i = 0; i + 1 < values.size(); i += 2)
+        result.emplace_back(values[i], values[i + 1]);
+      return result;
+    }
+
+    std::vector<int> integers(const std::vector<unsigned int> &values)
+    {
+      return {values.begin(), values.end()};
+    }
+
+    std::vector<unsigned int> indices(const std::vector<int> &values)
+    {
+      return {values.begin(), values.end()};
+    }
+
+    Eigen::MatrixXd matrix(const std::vector<std::vector<double>> &rows)
+    {
+      Eigen::MatrixXd m(rows.size(), rows.empty() ? 0 : rows.front().size());
+      for (unsigned int i = 0; i < rows.size(); ++i)
+        m.row(i) = Eigen::Map<const Eigen::RowVectorXd>(rows[i].data(), rows[i].size());
+      return m;
+    }
+
+    std::vector<std::vector<double>> rows(const Eigen::MatrixXd &m)
+    {
+      std::vector<std::vector<double>> result;
+      for (Eigen::Index i = 0; i < m.rows(); ++i)
+      {
+        const Eigen::VectorXd row = m.row(i);
+        result.emplace_back(row.data(), row.data() + row.size());
+      }
+      return result;
+    }
+
+    /// Time, pose and rates of an instant in a fixed order.
+    void write_instant(Hdf5Writer &file, const std::string &group, const Instant<2> &instant)
+    {
+      const auto &[time, configuration, rates] = instant;
+      const std::vector<double> numbers        = {time,
+                                                  configuration.pose.center[0],
+                                                  configuration.pose.center[1],
+                                                  configuration.pose.angle,
+                                                  rates.velocity[0],
+                                                  rates.velocity[1],
+                                                  rates.omega[0]};
+      file.write_vector(group + "/numbers", numbers, number);
+      file.write_vector(group + "/shape_m", flat(configuration.shape), number);
+      file.write_vector(group + "/shape_rate_m_s", flat(rates.shape_rate), number);
+    }
+
+    Instant<2> read_instant(const Hdf5Reader &file, const std::string &group)
+    {
+      const auto numbers = file.read_vector(group + "/numbers");
+      Instant<2> instant;
+      instant.time_s                    = numbers.at(0);
+      instant.configuration.pose.center = Point<2>(numbers.at(1), numbers.at(2));
+      instant.configuration.pose.angle  = numbers.at(3);
+      instant.rates.velocity            = Tensor<1, 2>({numbers.at(4), numbers.at(5)});
+      instant.rates.omega[0]            = numbers.at(6);
+      instant.configuration.shape       = nodal(file.read_vector(group + "/shape_m"));
+      instant.rates.shape_rate          = nodal(file.read_vector(group + "/shape_rate_m_s"));
+      return instant;
+    }
+
+    void write_fluid_mesh(Hdf5Writer &file, const FluidMeshRecord<2> &mesh)
+    {
+      std::vector<int> cells;
+      for (const auto &cell : mesh.soup.cells)
+        cells.insert(cells.end(), cell.begin(), cell.end());
+      std::string names;
+      for (const auto &name : mesh.wall_names)
+        names += name + "\n";
+      file.write_vector("/fluid_mesh/vertices_m", flat(mesh.soup.vertices), number);
+      file.write_vector("/fluid_mesh/cells", cells, number);
+      file.write_vector("/fluid_mesh/nodes_m", flat(mesh.nodes), number);
+      file.write_vector("/fluid_mesh/surface_nodes", integers(mesh.surface_nodes), number);
+      file.write_vector("/fluid_mesh/wall_nodes", integers(mesh.wall_nodes), number);
+      file.write_text("/fluid_mesh/wall_names", names, number);
+      if (!mesh.image_of_vertex.empty())
+        file.write_vector("/fluid_mesh/image_of_vertex", integers(mesh.image_of_vertex), number);
+    }
+
+    FluidMeshRecord<2> read_fluid_mesh(const Hdf5Reader &file)
+    {
+      FluidMeshRecord<2> mesh;
+      mesh.soup.vertices = points(file.read_vector("/fluid_mesh/vertices_m"));
+      const auto cells   = file.read_int_vector("/fluid_mesh/cells");
+      for (unsigned int i = 0; i + 2 < cells.size(); i += 3)
+        mesh.soup.cells.push_back({unsigned(cells[i]), unsigned(cells[i + 1]), unsigned(cells[i + 2])});
+      mesh.nodes         = points(file.read_vector("/fluid_mesh/nodes_m"));
+      mesh.surface_nodes = indices(file.read_int_vector("/fluid_mesh/surface_nodes"));
+      mesh.wall_nodes    = indices(file.read_int_vector("/fluid_mesh/wall_nodes"));
+      std::istringstream names(file.read_text("/fluid_mesh/wall_names"));
+      for (std::string name; std::getline(names, name);)
+        mesh.wall_names.push_back(name);
+      if (file.contains("/fluid_mesh/image_of_vertex"))
+        mesh.image_of_vertex = indices(file.read_int_vector("/fluid_mesh/image_of_vertex"));
+      return mesh;
+    }
+
+    /// One list of numbers for both directions: `visit(name, member)`.
+    template <typename CheckpointType, typename Visitor>
+    void for_each_number(CheckpointType &checkpoint, const Visitor &visit)
+    {
+      auto &model    = checkpoint.model;
+      auto &coupling = model.coupling;
+      visit("wall_time_s", checkpoint.wall_time_s);
+      visit("cpu_time_s", checkpoint.cpu_time_s);
+      visit("grid_step", model.grid_step);
+      visit("time_step_before_s", model.time_step_before_s);
+      visit("steps_since_remeshing", model.steps_since_remeshing);
+      visit("remesh_is_due", model.remesh_is_due);
+      visit("x_at_meshing_m", model.pose_at_meshing.center[0]);
+      visit("y_at_meshing_m", model.pose_at_meshing.center[1]);
+      visit("angle_at_meshing_rad", model.pose_at_meshing.angle);
+      visit("n_steps", model.counts.n_steps);
+      visit("n_remeshes", model.counts.n_remeshes);
+      visit("n_step_halvings", model.counts.n_step_halvings);
+      visit("remeshing_cpu_s", model.counts.remeshing_cpu_s);
+      visit("contraction", coupling.contraction);
+      visit("contraction_change", coupling.contraction_change);
+      visit("contraction_measured_at_step", coupling.contraction_measured_at_step);
+      visit("n_coupling_iterations", coupling.counts.n_iterations);
+      visit("mesh_motion_cpu_s", coupling.counts.mesh_motion_cpu_s);
+      visit("iteration_cpu_s", coupling.counts.iteration_cpu_s);
+      visit("tail_cpu_s", coupling.counts.tail_cpu_s);
+      const std::pair<const char *, decltype(&coupling.linear_counts)> systems[] = {
+          {"", &coupling.linear_counts}, {"tail_", &coupling.tail_linear_counts}};
+      for (const auto &[prefix, linear] : systems)
+      {
+        const std::string name(prefix);
+        visit(name + "n_linear_solves", linear->n_solves);
+        visit(name + "n_factorizations", linear->n_factorizations);
+        visit(name + "n_linear_iterations", linear->n_iterations);
+        visit(name + "assembly_cpu_s", linear->assembly_cpu_s);
+        visit(name + "factorization_cpu_s", linear->factorization_cpu_s);
+        visit(name + "solve_cpu_s", linear->solve_cpu_s);
+      }
+    }
+  } // namespace
+
+  void write_checkpoint(const std::filesystem::path &path, const Checkpoint &checkpoint, const Provenance &provenance)
+  {
+    Hdf5Writer  file;
+    const auto &model = checkpoint.model;
+    write_instant(file, "/now", model.now);
+    write_instant(file, "/before", model.before);
+    file.write_vector("/unknowns", model.coupling.unknowns, number);
+    file.write_vector("/unknowns_before", model.coupling.unknowns_before, number);
+    if (model.fluid_mesh)
+      write_fluid_mesh(file, *model.fluid_mesh);
+    file.write_matrix("/trajectory", matrix(checkpoint.rows), number);
+    file.write_matrix("/shapes", matrix(checkpoint.shapes), number);
+    for_each_number(checkpoint, [&](const std::string &name, const auto value) {
+      file.write_attribute("/", name, static_cast<double>(value));
+    });
+    file.write_attribute("/", "scene_hash", provenance.scene_hash);
+    file.write_attribute("/", "scene_text", provenance.scene_text);
+    file.write_attribute("/", "program_version", provenance.program_version);
+    file.save(path);
+  }
+
+  Checkpoint read_checkpoint(const std::filesystem::path &path, const Scene &scene)
+  {
+    const Hdf5Reader file(path);
+    if (file.read_text_attribute("/", "scene_hash") != scene.hash)
+      throw InputError(path.string() +
+                       " belongs to another scene or to other --set values: resume with the scene it was "
+                       "written for, or start afresh with --force");
+    Checkpoint checkpoint;
+    auto      &model = checkpoint.model;
+    for_each_number(checkpoint, [&](const std::string &name, auto &value) {
+      value = static_cast<std::remove_reference_t<decltype(value)>>(file.read_number_attribute("/", name));
+    });
+    model.now                      = read_instant(file, "/now");
+    model.before                   = read_instant(file, "/before");
+    model.coupling.unknowns        = file.read_vector("/unknowns");
+    model.coupling.unknowns_before = file.read_vector("/unknowns_before");
+    if (file.contains("/fluid_mesh"))
+      model.fluid_mesh = read_fluid_mesh(file);
+    checkpoint.rows   = rows(file.read_matrix("/trajectory"));
+    checkpoint.shapes = rows(file.read_matrix("/shapes"));
+    return checkpoint;
+  }
+} // namespace swimtwin

@@ -1,0 +1,24 @@
+// checkpoint.h5: everything that a run needs to go on as if it had not stopped.
+#pragma once
+
+#include <datasets/provenance.h>
+#include <fom/run/run_recorder.h>
+#include <fom/step/full_order_model.h>
+
+#include <filesystem>
+
+namespace swimtwin
+{
+  struct Checkpoint
+  {
+    ModelState<2>                    model;
+    std::vector<std::vector<double>> rows, shapes; ///< of RunRecorder
+    double                           wall_time_s = 0., cpu_time_s = 0.;
+  };
+
+  /// Written to a temporary name, then renamed. Throws ComputationError.
+  void write_checkpoint(const std::filesystem::path &file, const Checkpoint &checkpoint, const Provenance &provenance);
+
+  /// Throws InputError if the file is not a checkpoint or belongs to another scene (by hash).
+  Checkpoint read_checkpoint(const std::filesystem::path &file, const Scene &scene);
+} // namespace swimtwin

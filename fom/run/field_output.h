@@ -1,0 +1,44 @@
+// Fluid and tail fields for ParaView.
+#pragma once
+
+#include <fom/step/full_order_model.h>
+
+#include <filesystem>
+
+namespace swimtwin
+{
+  /// What there is to see at one instant. All but the swimmer's own may be missing.
+  struct FieldInstant
+  {
+    double                  time_s = 0.;
+    const Swimmer<2>       &swimmer;
+    const Configuration<2> &configuration;
+    const FluidDomain<2>   *fluid        = nullptr;
+    std::vector<double>     fluid_values = {}; ///< of the fluid's rows; empty: the fluid is left out
+  };
+
+  /// The model's present instant. Without the fluid at the start, before anything was solved.
+  FieldInstant instant_of(const FullOrderModel<2> &model);
+
+  /// Writes fluid-NNNN.vtu (velocity_m_s, pressure_Pa) and tail-NNNN.vtu (displacement_m in the laboratory) with
+  /// quadratic cells into a folder, and fluid.pvd, tail.pvd that name them with their times.
+  class FieldOutput
+  {
+  public:
+    explicit FieldOutput(std::filesystem::path folder);
+
+    /// Instant number `index`; one rank can do it without the others.
+    void write(const FieldInstant &instant, unsigned int index);
+
+    /// After a resume: the instants before `n_instants`, `interval_s` apart, are there already; what an interrupted run
+    /// wrote after them is removed.
+    void adopt(unsigned int n_instants, double interval_s);
+
+  private:
+    void write_series(const std::string &name, std::vector<std::pair<double, std::string>> &series,
+                      const std::string &file, double time);
+
+    std::filesystem::path                       folder_;
+    std::vector<std::pair<double, std::string>> fluid_series_, tail_series_;
+  };
+} // namespace swimtwin

@@ -1,0 +1,127 @@
+#include <fom/run/run_recorder.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace swimtwin
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// The angle closest to a previous one among those that differ by full turns.
+    double unwrap(const double angle, const double previous)
+    {
+      return angle + 2. * std::numbers::pi * std::round((previous - angle) / (2. * std::numbers::pi));
+    }
+
+    constexpr unsigned int first_shape_entry = 7;
+  } // namespace
+
+  bool RunRecorder::is_snapshot(const int grid_step) const
+  {
+    const int per_period = scene_.output.snapshots_per_period;
+    return scene_.tail && per_period > 0 && grid_step % std::max(1, scene_.time.steps_per_period / per_period) == 0;
+  }
+
+  void RunRecorder::note(const FullOrderModel<2> &model, const int grid_step)
+  {
+    const auto &[time, configuration, rates] = model.now();
+    const auto         &pose                 = configuration.pose;
+    const PowerBalance &balance              = model.balance();
+    const auto          field                = scene_.field(time);
+
+    TrajectoryRow row;
+    row.time_s              = time;
+    row.head_x_m            = pose.center[0];
+    row.head_y_m            = pose.center[1];
+    row.head_angle_rad      = pose.angle;
+    const auto tip          = model.swimmer().has_tail()
+                                  ? model.swimmer().tail_positions(configuration)[model.swimmer().tail().axis_at_tip[2]]
+                                  : pose.to_laboratory(Tensor<1, 2>({scene_.head.size_m[0] / 2, 0.}));
+    row.tail_tip_x_m        = tip[0];
+    row.tail_tip_y_m        = tip[1];
+    const double angle      = model.swimmer().tail_angle(configuration);
+    row.tail_angle_rad      = unwrap(angle, trajectory_.empty() ? pose.angle : trajectory_.back().tail_angle_rad);
+    row.bx_T                = field[0];
+    row.by_T                = field[1];
+    row.magnetic_power_W_m  = balance.magnetic;
+    row.external_power_W_m  = balance.gravity + balance.wall;
+    row.dissipation_W_m     = balance.dissipation;
+    row.elastic_energy_J_m  = balance.elastic_energy;
+    row.head_force_x_N_m    = balance.load_that_holds_head[0];
+    row.head_force_y_N_m    = balance.load_that_holds_head[1];
+    row.head_torque_N       = balance.load_that_holds_head[2];
+    row.coupling_iterations = model.coupling_iterations_of_last_step();
+    row.n_unknowns          = model.n_unknowns();
+    row.remeshed            = model.just_remeshed();
+    trajectory_.push_back(row);
+
+    if (!is_snapshot(grid_step))
+      return;
+    std::vector<double> shape{time, pose.center[0], pose.center[1], pose.angle, field[0], field[1], field[2]};
+    for (const auto *nodal : {&configuration.shape, &rates.shape_rate})
+      for (const auto &value : *nodal)
+        shape.insert(shape.end(), {value[0], value[1]});
+    shapes_.push_back(std::move(shape));
+  }
+
+  SnapshotSet RunRecorder::snapshots(const Swimmer<2> &swimmer) const
+  {
+    const auto        &tail = swimmer.tail();
+    const unsigned int n    = tail.mesh.n_nodes();
+    SnapshotSet        set;
+    set.tail_nodes_m.resize(n, 2);
+    for (unsigned int a = 0; a < n; ++a)
+      set.tail_nodes_m.row(a) << tail.mesh.nodes[a][0], tail.mesh.nodes[a][1];
+    set.tail_cells.resize(tail.mesh.n_cells(), 6);
+    for (unsigned int c = 0; c < tail.mesh.n_cells(); ++c)
+      for (unsigned int a = 0; a < 6; ++a)
+        set.tail_cells(c, a) = tail.mesh.cells[c][a];
+    set.clamped_nodes.resize(tail.clamped_nodes.size());
+    std::copy(tail.clamped_nodes.begin(), tail.clamped_nodes.end(), set.clamped_nodes.begin());
+
+    std::vector<Eigen::Triplet<double>> mass;
+    for (unsigned int c = 0; c < tail.mesh.n_cells(); ++c)
+      for (unsigned int a = 0; a < 6; ++a)
+        for (unsigned int b = 0; b < 6; ++b)
+          for (unsigned int i = 0; i < 2; ++i)
+            mass.emplace_back(2 * tail.mesh.cells[c][a] + i, 2 * tail.mesh.cells[c][b] + i,
+                              swimmer.elasticity().cell_mass(c, a, b));
+    set.tail_mass_m2.resize(2 * n, 2 * n);
+    set.tail_mass_m2.setFromTriplets(mass.begin(), mass.end());
+
+    const unsigned int m = shapes_.size();
+    set.pose.resize(m, 3);
+    set.field_T.resize(m, 3);
+    set.tail_displacement_m.resize(m, 2 * n);
+    set.tail_velocity_m_s.resize(m, 2 * n);
+    for (unsigned int k = 0; k < m; ++k)
+    {
+      const double *entry = shapes_[k].data();
+      set.time_s.push_back(entry[0]);
+      set.pose.row(k)                = Eigen::RowVector3d(entry[1], entry[2], entry[3]);
+      set.field_T.row(k)             = Eigen::RowVector3d(entry[4], entry[5], entry[6]);
+      set.tail_displacement_m.row(k) = Eigen::Map<const Eigen::RowVectorXd>(entry + first_shape_entry, 2 * n);
+      set.tail_velocity_m_s.row(k)   = Eigen::Map<const Eigen::RowVectorXd>(entry + first_shape_entry + 2 * n, 2 * n);
+    }
+    return set;
+  }
+
+  std::vector<std::vector<double>> RunRecorder::rows() const
+  {
+    std::vector<std::vector<double>> result;
+    for (const auto &row : trajectory_)
+      result.push_back(numbers_of(row));
+    return result;
+  }
+
+  void RunRecorder::restore(const std::vector<std::vector<double>> &rows, std::vector<std::vector<double>> shapes)
+  {
+    trajectory_.clear();
+    for (const auto &row : rows)
+      trajectory_.push_back(row_of(row));
+    shapes_ = std::move(shapes);
+  }
+} // namespace swimtwin

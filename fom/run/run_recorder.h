@@ -1,0 +1,34 @@
+// What is kept of a run: one row per step of the time grid, and snapshots of the tail's shape.
+#pragma once
+
+#include <datasets/snapshot_set.h>
+#include <datasets/trajectory.h>
+#include <fom/step/full_order_model.h>
+
+namespace swimtwin
+{
+  class RunRecorder
+  {
+  public:
+    explicit RunRecorder(const Scene &scene) : scene_(scene) {}
+
+    /// Note the model's present instant, after `grid_step` steps of the time grid.
+    void note(const FullOrderModel<2> &model, int grid_step);
+
+    const Trajectory &trajectory() const { return trajectory_; }
+    /// Tail mesh, mass matrix and the shapes noted so far.
+    SnapshotSet snapshots(const Swimmer<2> &swimmer) const;
+
+    /// Flat copies for a checkpoint: rows of numbers.
+    std::vector<std::vector<double>> rows() const;
+    std::vector<std::vector<double>> shapes() const { return shapes_; }
+    void restore(const std::vector<std::vector<double>> &rows, std::vector<std::vector<double>> shapes);
+
+  private:
+    bool is_snapshot(int grid_step) const;
+
+    const Scene                     &scene_;
+    Trajectory                       trajectory_;
+    std::vector<std::vector<double>> shapes_; ///< time, pose (3), field (3), displacement (n), velocity (n)
+  };
+} // namespace swimtwin

@@ -1,0 +1,243 @@
+#include <fom/run/simulation.h>
+
+#include <datasets/clocks.h>
+#include <datasets/error.h>
+#include <datasets/mirror_plane.h>
+#include <datasets/output_folder.h>
+#include <datasets/provenance.h>
+#include <datasets/run_summary_json.h>
+#include <fom/run/checkpoint.h>
+#include <fom/run/field_output.h>
+#include <fom/run/run_plan.h>
+#include <fom/run/run_recorder.h>
+#include <fom/step/full_order_model.h>
+
+#include <deal.II/base/mpi.h>
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+namespace swimtwin
+{
+  namespace
+  {
+    using Clock = std::chrono::steady_clock;
+
+    double seconds_since(const Clock::time_point start)
+    {
+      return std::chrono::duration<double>(Clock::now() - start).count();
+    }
+
+    double peak_memory_MB()
+    {
+      rusage usage;
+      getrusage(RUSAGE_SELF, &usage);
+      return usage.ru_maxrss / 1024.;
+    }
+
+    /// One run in progress.
+    class Run
+    {
+    public:
+      Run(const Scene &scene, const SimulationOptions &options, const MPI_Comm communicator)
+          : scene_(scene), options_(options), communicator_(communicator),
+            is_writer_(dealii::Utilities::MPI::this_mpi_process(communicator) == 0),
+            checkpoint_file_(options.folder / "checkpoint.h5"), model_(scene, communicator), recorder_(scene)
+      {
+        if (scene.output.fields_per_period > 0 && is_writer_)
+          fields_.emplace(options.folder / "fields");
+        if (options.resume && std::filesystem::exists(checkpoint_file_))
+          resume();
+        else
+        {
+          note(0);
+          save(); // from here on the folder belongs to this run
+        }
+      }
+
+      SimulationResult finish()
+      {
+        const int n_steps = scene_.time.n_steps(), here = grid_step_;
+        while (grid_step_ < n_steps)
+        {
+          advance_or_explain();
+          note(++grid_step_);
+          if (grid_step_ % checkpoint_interval() == 0 && grid_step_ < n_steps)
+            save();
+          if (options_.on_progress)
+            options_.on_progress({grid_step_, n_steps, seconds_since(start_), grid_step_ - here});
+        }
+        return write("completed");
+      }
+
+    private:
+      /// Ten checkpoints a period. At each the matrix is factorised anew, so that resuming repeats the arithmetic.
+      int checkpoint_interval() const { return std::max(1, scene_.time.steps_per_period / 10); }
+
+      int field_interval() const { return std::max(1, scene_.time.steps_per_period / scene_.output.fields_per_period); }
+
+      void note(const int grid_step)
+      {
+        recorder_.note(model_, grid_step);
+        if (fields_ && grid_step % field_interval() == 0)
+          fields_->write(instant_of(model_), grid_step / field_interval());
+      }
+
+      void advance_or_explain()
+      {
+        try
+        {
+          model_.advance();
+        }
+        catch (const ComputationError &error)
+        {
+          write(std::string("failed: ") + error.what());
+          throw;
+        }
+      }
+
+      Provenance provenance() const
+      {
+        return {current_program_version,
+                options_.command_line,
+                scene_.text,
+                scene_.hash,
+                utc_time_now(),
+                wall_before_ + seconds_since(start_)};
+      }
+
+      void save()
+      {
+        const Checkpoint checkpoint{model_.state(), recorder_.rows(), recorder_.shapes(),
+                                    wall_before_ + seconds_since(start_), cpu_before_ + process_cpu_time_s()};
+        if (is_writer_)
+          write_checkpoint(checkpoint_file_, checkpoint, provenance());
+      }
+
+      void resume()
+      {
+        Checkpoint checkpoint = read_checkpoint(checkpoint_file_, scene_);
+        model_.restore(checkpoint.model);
+        recorder_.restore(checkpoint.rows, std::move(checkpoint.shapes));
+        grid_step_   = checkpoint.model.grid_step;
+        wall_before_ = checkpoint.wall_time_s;
+        cpu_before_  = checkpoint.cpu_time_s;
+        if (fields_)
+          fields_->adopt(grid_step_ / field_interval() + 1, field_interval() * scene_.time.time_step_s());
+      }
+
+      RunSummary summary(const std::string &status) const
+      {
+        RunSummary summary;
+        summary.status = status;
+        summarize_motion(recorder_.trajectory(), scene_.time.period_s, scene_.head.angle_rad, summary);
+        const StepCounts        &counts   = model_.counts();
+        const CouplingCounts    &coupling = model_.coupling().counts();
+        const LinearSolverCounts linear   = model_.coupling().linear_counts(),
+                                 tail     = model_.coupling().tail_linear_counts();
+        summary.n_unknowns                = recorder_.trajectory().front().n_unknowns;
+        summary.n_steps                   = counts.n_steps;
+        summary.n_linear_solves           = linear.n_solves + tail.n_solves;
+        summary.n_factorizations          = linear.n_factorizations + tail.n_factorizations;
+        summary.n_tail_linear_solves      = tail.n_solves;
+        summary.n_tail_factorizations     = tail.n_factorizations;
+        summary.coupling_iterations_mean  = counts.n_steps > 0 ? double(coupling.n_iterations) / counts.n_steps : 0.;
+        summary.n_remeshes                = counts.n_remeshes;
+        summary.n_step_halvings           = counts.n_step_halvings;
+        summary.wall_time_s               = wall_before_ + seconds_since(start_);
+        summary.cpu_time_s                = cpu_before_ + process_cpu_time_s();
+        summary.peak_memory_MB            = peak_memory_MB();
+        summary.cpu_time_of_part_s        = {{"factorization", linear.factorization_cpu_s},
+                                             {"krylov_solve", linear.solve_cpu_s},
+                                             {"assembly", coupling.iteration_cpu_s - coupling.tail_cpu_s -
+                                                              linear.factorization_cpu_s - linear.solve_cpu_s},
+                                             {"tail_equilibrium", coupling.tail_cpu_s},
+                                             {"mesh_motion", coupling.mesh_motion_cpu_s},
+                                             {"remeshing", counts.remeshing_cpu_s}};
+        summary.warnings                  = warnings(summary);
+        return summary;
+      }
+
+      /// What a user has to know before trusting the numbers.
+      std::vector<std::string> warnings(const RunSummary &summary) const
+      {
+        constexpr double         open_balance = 0.05;
+        std::vector<std::string> result;
+        if (const std::string inertia = inertia_warning(scene_); !inertia.empty())
+          result.push_back(inertia);
+        if (const std::string symmetry = symmetry_warning(scene_); !symmetry.empty())
+          result.push_back(symmetry);
+        if (std::abs(summary.worst_power_imbalance) > open_balance)
+          result.push_back(fmt::format("the power balance is open by {:.1f} % in the worst period: the motion is not "
+                                       "resolved in time; raise [time] steps_per_period",
+                                       100. * summary.worst_power_imbalance));
+        return result;
+      }
+
+      SimulationResult write(const std::string &status)
+      {
+        SimulationResult result{recorder_.trajectory(), summary(status), {}};
+        if (scene_.tail)
+          result.snapshots = recorder_.snapshots(model_.swimmer());
+        if (!is_writer_)
+          return result;
+        if (status == "completed")
+        {
+          write_together(result);
+          std::filesystem::remove(checkpoint_file_);
+        }
+        else
+          write_run_summary_json(options_.folder / "summary.json", {result.summary, provenance()});
+        return result;
+      }
+
+      /// All results or none take their final names.
+      void write_together(const SimulationResult &result) const
+      {
+        const auto staged = options_.folder / ".results.partial";
+        std::filesystem::remove_all(staged);
+        try
+        {
+          std::filesystem::create_directory(staged);
+          write_trajectory_csv(staged / "trajectory.csv", result.trajectory);
+          if (!result.snapshots.time_s.empty())
+            write_snapshots(staged / "snapshots.h5", result.snapshots, provenance());
+          write_run_summary_json(staged / "summary.json", {result.summary, provenance()});
+        }
+        catch (...)
+        {
+          std::filesystem::remove_all(staged);
+          throw;
+        }
+        for (const auto &entry : std::filesystem::directory_iterator(staged))
+          std::filesystem::rename(entry.path(), options_.folder / entry.path().filename());
+        std::filesystem::remove_all(staged);
+      }
+
+      const Scene               &scene_;
+      const SimulationOptions   &options_;
+      MPI_Comm                   communicator_;
+      bool                       is_writer_;
+      std::filesystem::path      checkpoint_file_;
+      Clock::time_point          start_       = Clock::now();
+      double                     wall_before_ = 0., cpu_before_ = 0.;
+      FullOrderModel<2>          model_;
+      RunRecorder                recorder_;
+      std::optional<FieldOutput> fields_;
+      int                        grid_step_ = 0;
+    };
+  } // namespace
+
+  SimulationResult simulate(const Scene &scene, const SimulationOptions &options, const MPI_Comm communicator)
+  {
+    return Run(scene, options, communicator).finish();
+  }
+
+  std::vector<std::string> simulation_results()
+  {
+    return {"trajectory.csv", "summary.json", "snapshots.h5", "fields"};
+  }
+} // namespace swimtwin

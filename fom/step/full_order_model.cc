@@ -1,0 +1,290 @@
+#include <fom/step/full_order_model.h>
+
+#include <datasets/error.h>
+#include <fom/algebra/cpu_time.h>
+#include <fom/body/mesh_around.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace swimtwin
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// One step of the time grid is divided into so many ticks; smaller steps are whole powers of two of them.
+    constexpr int ticks_per_step = 1024;
+    /// The run starts with an eighth of a step, by backward Euler, then doubles: the start's error is a 64th.
+    constexpr int ticks_of_first_step = ticks_per_step / 8;
+
+    /// Distance (m) of the closest of some points to a wall that does not move with them; infinite without one.
+    double distance_to_walls(const Domain &domain, const std::vector<Point<2>> &points)
+    {
+      double         least = std::numeric_limits<double>::infinity();
+      const Point<2> center(domain.center_m[0], domain.center_m[1]);
+      for (const auto &x : points)
+      {
+        const Tensor<1, 2> r = x - center;
+        if (domain.shape == DomainShape::box || domain.shape == DomainShape::channel)
+          for (int c = 0; c < 2; ++c)
+            least = std::min(least, domain.size_m[c] / 2 - std::abs(r[c]));
+        else if (!domain.moves_with_swimmer)
+          least = std::min(least, domain.radius_m - r.norm());
+        if (domain.shape == DomainShape::annulus)
+          least = std::min(least, r.norm() - domain.inner_radius_m);
+      }
+      return least;
+    }
+  } // namespace
+
+  template <int dim>
+  FullOrderModel<dim>::FullOrderModel(const Scene &scene, const MPI_Comm communicator)
+      : scene_(scene), communicator_(communicator), swimmer_(scene, communicator),
+        coupling_(make_coupling(swimmer_, communicator))
+  {
+    now_.configuration = swimmer_.configuration_at_rest();
+    now_.rates.shape_rate.resize(now_.configuration.shape.size());
+    if (scene.fluid)
+    {
+      remesh();
+      counts_.n_remeshes = 0; // the first mesh is not a remeshing
+    }
+    else
+      coupling_->use_fluid(nullptr);
+    if (!swimmer_.has_tail())
+      solve_initial_flow();
+  }
+
+  template <int dim>
+  void FullOrderModel<dim>::solve_initial_flow()
+  {
+    // Without a tail the velocities follow from the position alone; with one, the run starts from rest.
+    const TimeStep<dim> no_step{known_part(Bdf2(0., 0.)), 0., 0., 0., 0};
+    if (coupling_->solve(no_step, now_.configuration, now_.rates) != StepOutcome::accepted)
+      throw ComputationError("the flow at the start could not be solved: refine [numerics] mesh_size_m");
+    balance_ = compute_balance();
+  }
+
+  template <int dim>
+  PowerBalance FullOrderModel<dim>::compute_balance() const
+  {
+    return power_balance(swimmer_, fluid_.get(), coupling_->fluid_values(), now_.configuration, now_.rates,
+                         now_.time_s);
+  }
+
+  template <int dim>
+  void FullOrderModel<dim>::advance()
+  {
+    iterations_of_last_step_ = 0;
+    just_remeshed_           = false;
+    const double tick        = scene_.time.time_step_s() / ticks_per_step;
+    bool         fresh_mesh  = steps_since_remeshing_ == 0;
+    int          largest = time_step_before_ == 0. ? ticks_of_first_step : ticks_per_step, halvings = 0;
+    int          longest = ticks_per_step;
+    for (int done = 0; done < ticks_per_step;)
+    {
+      // A new mesh is made just before it is needed, so that the fields of every instant can still be read.
+      if (remesh_is_due_)
+      {
+        remesh();
+        fresh_mesh = just_remeshed_ = true;
+      }
+      const int         ticks   = next_ticks(done, largest);
+      const StepOutcome outcome = try_step(ticks * tick);
+      if (outcome == StepOutcome::accepted)
+      {
+        done += ticks;
+        largest     = longest;
+        fresh_mesh  = false;
+        now_.time_s = (grid_step_ + double(done) / ticks_per_step) * scene_.time.time_step_s();
+      }
+      else if (fluid_ && !fresh_mesh && outcome != StepOutcome::unstable_equilibrium)
+      {
+        remesh();
+        fresh_mesh = just_remeshed_ = true;
+      }
+      else if (halvings < scene_.numerics.max_step_halvings && ticks > 1)
+      {
+        ++halvings;
+        ++counts_.n_step_halvings;
+        largest = ticks / 2;
+        if (outcome == StepOutcome::unstable_equilibrium)
+          longest = largest; // what is too long remains so for a while
+      }
+      else
+        give_up(outcome, halvings);
+    }
+    ++grid_step_;
+  }
+
+  template <int dim>
+  int FullOrderModel<dim>::next_ticks(const int done, const int largest) const
+  {
+    // The largest power of two that fits the grid, is allowed, and at most doubles the last step.
+    const double tick  = scene_.time.time_step_s() / ticks_per_step;
+    int          ticks = largest;
+    while (done % ticks != 0 || (time_step_before_ > 0. && ticks * tick > 2.0001 * time_step_before_))
+      ticks /= 2;
+    return ticks;
+  }
+
+  template <int dim>
+  void FullOrderModel<dim>::give_up(const StepOutcome outcome, const int halvings) const
+  {
+    std::ostringstream message;
+    const bool         is_about_time = outcome == StepOutcome::unstable_equilibrium; // neither mesh nor walls
+    message << "the step at t = " << now_.time_s << " s failed (" << cause(outcome) << ") after "
+            << (is_about_time ? "" : "a remesh and ") << halvings << " halvings of the step: ";
+    const double distance =
+        fluid_ ? distance_to_walls(*scene_.domain, swimmer_.surface(now_.configuration)) : scene_.body_length_m();
+    if (!is_about_time && distance < .5 * scene_.numerics.mesh_size_m)
+      message << "the body is " << distance << " m from a wall, and contact is not modelled; enlarge the domain, move "
+              << "the head, lower the field, or end the run before";
+    else
+      message << remedy(outcome, scene_);
+    throw ComputationError(message.str());
+  }
+
+  template <int dim>
+  Configuration<dim> FullOrderModel<dim>::known_part(const Bdf2 &bdf) const
+  {
+    const Configuration<dim> &now = now_.configuration, &before = time_step_before_ > 0. ? before_.configuration : now;
+    Configuration<dim>        known;
+    const auto                middle = [this](const Configuration<dim> &c) -> Tensor<1, dim> {
+      return c.pose.to_laboratory(swimmer_.arm_to_middle(c.shape));
+    };
+    known.pose.center = Point<dim>(bdf.known(middle(now), middle(before)));
+    known.pose.angle  = bdf.known(now.pose.angle, before.pose.angle);
+    known.shape.resize(now.shape.size());
+    for (unsigned int a = 0; a < now.shape.size(); ++a)
+      known.shape[a] = bdf.known(now.shape[a], before.shape[a]);
+    return known;
+  }
+
+  template <int dim>
+  Rates<dim> FullOrderModel<dim>::extrapolated_rates(const double growth) const
+  {
+    Rates<dim> result = now_.rates;
+    if (growth == 0.)
+      return result;
+    result.velocity += growth * (now_.rates.velocity - before_.rates.velocity);
+    result.omega += growth * (now_.rates.omega - before_.rates.omega);
+    for (unsigned int a = 0; a < result.shape_rate.size(); ++a)
+      result.shape_rate[a] += growth * (now_.rates.shape_rate[a] - before_.rates.shape_rate[a]);
+    return result;
+  }
+
+  template <int dim>
+  StepOutcome FullOrderModel<dim>::try_step(const double dt)
+  {
+    const Bdf2          bdf(dt, time_step_before_);
+    const double        growth = time_step_before_ > 0. ? dt / time_step_before_ : 0.;
+    const TimeStep<dim> step{known_part(bdf), bdf.slope_weight, now_.time_s + dt, growth, counts_.n_steps};
+
+    Rates<dim>         rates         = extrapolated_rates(growth);
+    Configuration<dim> configuration = step.known;
+    configuration.pose.angle += bdf.slope_weight * rates.omega[0];
+    for (unsigned int a = 0; a < configuration.shape.size(); ++a)
+      configuration.shape[a] += bdf.slope_weight * rates.shape_rate[a];
+    configuration.pose.center = head_center(swimmer_, step, configuration, rates);
+
+    const int         iterations_before = coupling_->counts().n_iterations;
+    const StepOutcome outcome           = coupling_->solve(step, configuration, rates);
+    iterations_of_last_step_ += coupling_->counts().n_iterations - iterations_before;
+    if (outcome == StepOutcome::accepted)
+      accept(dt, std::move(configuration), std::move(rates));
+    return outcome;
+  }
+
+  template <int dim>
+  void FullOrderModel<dim>::accept(const double dt, Configuration<dim> configuration, Rates<dim> rates)
+  {
+    before_           = std::move(now_);
+    time_step_before_ = dt;
+    now_              = {before_.time_s + dt, std::move(configuration), std::move(rates)};
+    balance_          = compute_balance();
+    ++counts_.n_steps;
+    ++steps_since_remeshing_;
+    remesh_is_due_ = fluid_ && wants_remeshing();
+  }
+
+  template <int dim>
+  bool FullOrderModel<dim>::wants_remeshing() const
+  {
+    const int every = scene_.numerics.remesh_every_steps;
+    if (every > 0 && steps_since_remeshing_ >= every)
+      return true;
+    // A mesh that was hardly better when it was made, in a narrow gap, would be made again at every step.
+    const double quality = fluid_->quality();
+    return quality < scene_.numerics.remesh_quality &&
+           quality < .5 * worst_quality(fluid_->mesh(), fluid_->mesh().nodes);
+  }
+
+  template <int dim>
+  void FullOrderModel<dim>::remesh()
+  {
+    const ScopedCpuTime time(counts_.remeshing_cpu_s);
+    const auto         &c = now_.configuration;
+    try
+    {
+      use_fluid_mesh(mesh_around(swimmer_, c, communicator_), c.pose);
+    }
+    catch (const ComputationError &error)
+    {
+      std::ostringstream message;
+      message << "at t = " << now_.time_s << " s " << error.what();
+      throw ComputationError(message.str());
+    }
+    ++counts_.n_remeshes;
+  }
+
+  template <int dim>
+  void FullOrderModel<dim>::use_fluid_mesh(FluidMesh<dim> mesh, const RigidPose<dim> &pose)
+  {
+    auto fluid = std::make_unique<FluidDomain<dim>>(scene_, std::move(mesh), pose);
+    coupling_->use_fluid(fluid.get()); // lets go of the old one
+    fluid_                 = std::move(fluid);
+    steps_since_remeshing_ = 0;
+    remesh_is_due_         = false;
+  }
+
+  template <int dim>
+  ModelState<dim> FullOrderModel<dim>::state()
+  {
+    ModelState<dim> state;
+    state.now                   = now_;
+    state.before                = before_;
+    state.time_step_before_s    = time_step_before_;
+    state.grid_step             = grid_step_;
+    state.steps_since_remeshing = steps_since_remeshing_;
+    state.remesh_is_due         = remesh_is_due_;
+    state.counts                = counts_;
+    state.coupling              = coupling_->state();
+    if (fluid_)
+    {
+      state.fluid_mesh      = record(fluid_->fluid_mesh());
+      state.pose_at_meshing = fluid_->pose_at_meshing();
+    }
+    return state;
+  }
+
+  template <int dim>
+  void FullOrderModel<dim>::restore(const ModelState<dim> &state)
+  {
+    if (state.fluid_mesh)
+      use_fluid_mesh(make_fluid_mesh(*scene_.domain, *state.fluid_mesh, communicator_), state.pose_at_meshing);
+    now_                   = state.now;
+    before_                = state.before;
+    time_step_before_      = state.time_step_before_s;
+    grid_step_             = state.grid_step;
+    steps_since_remeshing_ = state.steps_since_remeshing;
+    remesh_is_due_         = state.remesh_is_due;
+    counts_                = state.counts;
+    coupling_->restore(state.coupling);
+  }
+
+  template class FullOrderModel<2>;
+} // namespace swimtwin

@@ -1,0 +1,96 @@
+// The full-order swimmer in time: BDF2, a coupling iterated to convergence in every step, remeshing by quality.
+#pragma once
+
+#include <datasets/trajectory.h>
+#include <fom/coupling/coupling.h>
+#include <fom/step/bdf2.h>
+#include <fom/step/power_balance.h>
+
+#include <memory>
+#include <optional>
+
+namespace swimtwin
+{
+  /// An accepted instant with what the next step needs.
+  template <int dim>
+  struct Instant
+  {
+    double             time_s = 0.;
+    Configuration<dim> configuration;
+    Rates<dim>         rates;
+  };
+
+  struct StepCounts
+  {
+    int    n_steps = 0, n_remeshes = 0, n_step_halvings = 0;
+    double remeshing_cpu_s = 0.;
+  };
+
+  /// The state from which a run goes on as if it had not stopped.
+  template <int dim>
+  struct ModelState
+  {
+    Instant<dim>                        now, before;
+    double                              time_step_before_s = 0.; ///< 0: nothing before
+    int                                 grid_step = 0, steps_since_remeshing = 0;
+    std::optional<FluidMeshRecord<dim>> fluid_mesh;
+    RigidPose<dim>                      pose_at_meshing;
+    bool                                remesh_is_due = false;
+    StepCounts                          counts;
+    CouplingState                       coupling;
+  };
+
+  template <int dim>
+  class FullOrderModel
+  {
+  public:
+    /// Meshes the scene at rest. The scene must outlive the model. Collective; throws ComputationError.
+    FullOrderModel(const Scene &scene, MPI_Comm communicator);
+
+    /// Advance by one step of the scene's time grid, with smaller ones inside where they are needed: at the start, and
+    /// after failures. Collective; throws ComputationError that names time, cause and remedy.
+    void advance();
+
+    const Instant<dim> &now() const { return now_; }
+    int                 coupling_iterations_of_last_step() const { return iterations_of_last_step_; }
+    /// Whether the last advance() made a new mesh.
+    bool                    just_remeshed() const { return just_remeshed_; }
+    const StepCounts       &counts() const { return counts_; }
+    const Coupling<dim>    &coupling() const { return *coupling_; }
+    unsigned int            n_unknowns() const { return coupling_->n_unknowns(); }
+    const Swimmer<dim>     &swimmer() const { return swimmer_; }
+    const FluidDomain<dim> *fluid() const { return fluid_.get(); }
+    /// Balance of the last accepted step (before any remeshing after it).
+    const PowerBalance &balance() const { return balance_; }
+    /// Collective. The next step factorises anew, so that a restored run repeats this one's arithmetic.
+    ModelState<dim> state();
+    void            restore(const ModelState<dim> &state);
+
+  private:
+    StepOutcome        try_step(double dt);
+    int                next_ticks(int done, int largest) const;
+    [[noreturn]] void  give_up(StepOutcome outcome, int halvings) const;
+    void               accept(double dt, Configuration<dim> configuration, Rates<dim> rates);
+    Configuration<dim> known_part(const Bdf2 &bdf) const;
+    Rates<dim>         extrapolated_rates(double growth) const;
+    bool               wants_remeshing() const;
+    void               remesh();
+    void               use_fluid_mesh(FluidMesh<dim> mesh, const RigidPose<dim> &pose);
+    void               solve_initial_flow();
+    PowerBalance       compute_balance() const;
+
+    const Scene                      &scene_;
+    MPI_Comm                          communicator_;
+    Swimmer<dim>                      swimmer_;
+    std::unique_ptr<FluidDomain<dim>> fluid_;
+    std::unique_ptr<Coupling<dim>>    coupling_;
+
+    Instant<dim> now_, before_;
+    double       time_step_before_ = 0.; ///< 0: nothing before
+    int          grid_step_        = 0;
+    PowerBalance balance_;
+    StepCounts   counts_;
+    int          iterations_of_last_step_ = 0, steps_since_remeshing_ = 0;
+    bool         just_remeshed_ = false, remesh_is_due_ = false;
+  };
+} // namespace swimtwin

@@ -1,0 +1,18 @@
+// Pictures that a computation can do without.
+#pragma once
+
+#include <reports/page/gnuplot.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace swimtwin
+{
+  /// Draw into a folder, made if it is not there, with data (.dat) and gnuplot scripts (.gp) beside the PNG files;
+  /// `origin` is a comment in each. Returns the PNG files drawn. What goes wrong is told in `warning`, one sentence
+  /// with its remedy, empty when all is well.
+  std::vector<std::filesystem::path> draw_pictures(const std::filesystem::path       &folder,
+                                                   const std::vector<GnuplotPicture> &pictures,
+                                                   const std::string &origin, std::string &warning);
+} // namespace swimtwin

@@ -1,0 +1,127 @@
+#include <reports/plan/track_files.h>
+
+#include <datasets/output_folder.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <functional>
+#include <iterator>
+
+namespace swimtwin
+{
+  namespace
+  {
+    struct Column
+    {
+      const char                                   *name;
+      std::function<double(const TrackedInstant &)> value;
+    };
+
+    const std::vector<Column> &columns()
+    {
+      using Row                            = const TrackedInstant &;
+      static const std::vector<Column> all = {
+          {"time_s", [](Row r) { return r.time_s; }},
+          {"head_x_m", [](Row r) { return r.pose.position_m.x(); }},
+          {"head_y_m", [](Row r) { return r.pose.position_m.y(); }},
+          {"head_angle_rad", [](Row r) { return r.pose.angle_rad; }},
+          {"mean_x_m", [](Row r) { return r.mean_m.x(); }},
+          {"mean_y_m", [](Row r) { return r.mean_m.y(); }},
+          {"path_x_m", [](Row r) { return r.path_m.x(); }},
+          {"path_y_m", [](Row r) { return r.path_m.y(); }},
+          {"arc_m", [](Row r) { return r.arc_m; }},
+          {"distance_m", [](Row r) { return r.distance_m; }},
+          {"heading_error_rad", [](Row r) { return r.heading_error_rad; }},
+          {"measured_x_m", [](Row r) { return r.measured.position_m.x(); }},
+          {"measured_y_m", [](Row r) { return r.measured.position_m.y(); }},
+          {"measured_angle_rad", [](Row r) { return r.measured.angle_rad; }},
+          {"estimated_x_m", [](Row r) { return r.estimated.position_m.x(); }},
+          {"estimated_y_m", [](Row r) { return r.estimated.position_m.y(); }},
+          {"estimated_angle_rad", [](Row r) { return r.estimated.angle_rad; }},
+          {"bx_T", [](Row r) { return r.field_T.x(); }},
+          {"by_T", [](Row r) { return r.field_T.y(); }},
+          {"decision_cpu_s", [](Row r) { return r.decision_cpu_s; }},
+          {"decided_in_time", [](Row r) { return r.decided ? 1. : 0.; }},
+      };
+      return all;
+    }
+
+    Json axis_points(const std::vector<AxisPoint> &points, const double length_m)
+    {
+      Json json = Json::array();
+      for (const AxisPoint &point : points)
+        json.push_back({{"behind_head_body_lengths", point.behind_m / length_m},
+                        {"rms_distance_body_lengths", point.rms_distance_m / length_m},
+                        {"rms_swing_body_lengths", point.rms_swing_m / length_m}});
+      return json;
+    }
+
+    Json numbers_of(const TrackResult &result, const double length_m)
+    {
+      const double f = result.plan.carrier.frequency_Hz;
+      Json         json;
+      json["status"]                             = to_string(result.status);
+      json["message"]                            = result.message;
+      json["duration_s"]                         = (result.end_periods - result.start_periods) / f;
+      json["rms_distance_body_lengths"]          = result.rms_distance_m / length_m;
+      json["largest_distance_body_lengths"]      = result.largest_distance_m / length_m;
+      json["rms_swing_of_head_body_lengths"]     = result.rms_swing_m / length_m;
+      json["rms_heading_error_rad"]              = result.rms_heading_rad;
+      json["rms_distance_of_point_body_lengths"] = result.rms_point_m / length_m;
+      json["axis_points"]                        = axis_points(result.axis, length_m);
+      json["n_decisions"]                        = result.n_decisions;
+      json["n_missed_deadlines"]                 = result.n_missed;
+      json["mean_decision_cpu_s"]                = result.mean_decision_s;
+      json["largest_decision_cpu_s"]             = result.largest_decision_s;
+      return json;
+    }
+  } // namespace
+
+  void write_track_table(const std::filesystem::path &file, const TrackResult &result)
+  {
+    std::string text;
+    for (const Column &column : columns())
+      text += fmt::format("{}{}", text.empty() ? "" : ",", column.name);
+    for (const TrackedInstant &instant : result.instants)
+    {
+      std::string row;
+      for (const Column &column : columns())
+        row += fmt::format("{}{:.10g}", row.empty() ? "" : ",", column.value(instant));
+      text += "\n" + row;
+    }
+    write_text_atomically(file, text + "\n");
+  }
+
+  void write_steered_field(const std::filesystem::path &file, const SteeringPlan &plan, const double n_periods,
+                           const double sample_rate_Hz)
+  {
+    const double f = plan.carrier.frequency_Hz, end_s = n_periods / f;
+    std::string  text = fmt::format("# period_s = {:.17g}: played once, from rest\ntime_s,bx_T,by_T\n", end_s);
+    for (long i = 0; static_cast<double>(i) / sample_rate_Hz < end_s - 1e-9; ++i)
+    {
+      const double          time = static_cast<double>(i) / sample_rate_Hz;
+      const Eigen::Vector2d b    = plan.field_T(time * f);
+      fmt::format_to(std::back_inserter(text), "{:.10g},{:.9g},{:.9g}\n", time, b.x(), b.y());
+    }
+    write_text_atomically(file, text);
+  }
+
+  void write_track_summary(const std::filesystem::path &file, const TrackRecord &record)
+  {
+    const TrackResult &result = record.result;
+    Json               json   = numbers_of(result, record.body_length_m);
+    json["kind"]              = to_string(record.goal.kind);
+    json["plant"]         = record.goal.kind == TrackingKind::path ? "the model itself" : to_string(record.goal.plant);
+    json["path_length_m"] = result.path.length_m();
+    json["body_length_m"] = record.body_length_m;
+    json["advance_per_period_m"] = result.advance_m;
+    json["lever_m"]              = result.lever_m;
+    json["largest_field_T"]      = result.plan.largest_field_T();
+    if (record.replay)
+      json["replay"] = numbers_of(*record.replay, record.body_length_m);
+    else if (record.goal.kind == TrackingKind::path)
+      json["replay"] = "not confirmed";
+    write_summary(file, std::move(json), record);
+  }
+} // namespace swimtwin

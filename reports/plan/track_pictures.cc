@@ -1,0 +1,119 @@
+#include <reports/plan/track_pictures.h>
+
+#include <reports/page/number_text.h>
+#include <reports/page/picture_extent.h>
+#include <reports/page/shown_units.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace swimtwin
+{
+  namespace
+  {
+
+    constexpr std::string_view path_script = R"gp(
+left = 0.105; right = 0.965; top = 0.835; bottom = 0.115
+eval(panel)
+eval(one_scale)
+set xlabel 'x (mm)'
+set ylabel 'y (mm)'
+plot data index 1 using 1:2 with lines lw 0.8 lc rgb pale_color title 'head', \
+     data index 0 using 1:2 with lines lw 6 lc rgb '#f3c98b' title 'path', \
+     data index 2 using 1:2 with lines lw 2 lc rgb tail_color title (has_replay ? 'mean of the replay' : ''), \
+     data index 1 using 3:4 with lines lw 2 lc rgb head_color title 'mean over a period'
+)gp";
+
+    constexpr std::string_view course_script = R"gp(
+set multiplot
+left = 0.105; right = 0.965
+set xrange [t_min:t_max]
+set format x ''
+top = 0.835; bottom = 0.60
+eval(panel)
+set yrange [0:*]
+set offsets 0,0,graph 0.05,0
+set ylabel "distance (% of\nbody length)"
+plot data index 0 using 1:2 with lines lw 2 lc rgb head_color notitle
+unset label 1; unset label 2
+top = 0.55; bottom = 0.36
+eval(panel)
+set yrange [*:*]
+set ylabel 'field (mT)'
+plot data index 0 using 1:3 with lines lw 1 lc rgb head_color title 'b_x', \
+     data index 0 using 1:4 with lines lw 1 lc rgb tail_color title 'b_y'
+set format x '%g'
+top = 0.31; bottom = 0.115
+eval(panel)
+set yrange [0:*]
+set xlabel 'time (s)'
+set ylabel "time of a\ndecision (ms)"
+plot data index 0 using 1:5 with points pt 7 ps 0.3 lc rgb field_color notitle
+unset multiplot
+)gp";
+
+    std::string finding(const TrackRecord &record)
+    {
+      const TrackResult &r = record.result;
+      return fmt::format("{} m long path, {}: mean position {} % of a body length off it (rms), {} % at most",
+                         plain_number(r.path.length_m(), 3), to_string(r.status),
+                         plain_number(percent * r.rms_distance_m / record.body_length_m, 2),
+                         plain_number(percent * r.largest_distance_m / record.body_length_m, 2));
+    }
+
+    GnuplotPicture path_picture(const TrackRecord &record)
+    {
+      GnuplotPicture picture;
+      picture.name   = "path";
+      picture.script = path_script;
+      picture.set_text("heading", "Led along a path");
+      picture.set_text("caption", finding(record));
+      picture.set_flag("has_replay", record.replay.has_value());
+      PictureExtent extent;
+      picture.table.begin_block("path: x (mm), y (mm)");
+      for (const Eigen::Vector2d &point : record.result.path.points_m())
+      {
+        extent.add(mm * point);
+        picture.table.add_row({mm * point.x(), mm * point.y()});
+      }
+      picture.table.begin_block("swim: head x, y (mm), mean x, y (mm)");
+      for (const TrackedInstant &i : record.result.instants)
+      {
+        extent.add(mm * i.pose.position_m);
+        picture.table.add_row(
+            {mm * i.pose.position_m.x(), mm * i.pose.position_m.y(), mm * i.mean_m.x(), mm * i.mean_m.y()});
+      }
+      picture.table.begin_block("replay: mean x, y (mm)");
+      for (const TrackedInstant &i : (record.replay ? *record.replay : record.result).instants)
+        picture.table.add_row({mm * i.mean_m.x(), mm * i.mean_m.y()});
+      extent.set_in(picture);
+      return picture;
+    }
+
+    GnuplotPicture course_picture(const TrackRecord &record)
+    {
+      const TrackResult &r = record.result;
+      GnuplotPicture     picture;
+      picture.name   = "course";
+      picture.script = course_script;
+      picture.set_text("heading", "Distance from the path, field and decisions");
+      picture.set_text("caption", fmt::format("{} decisions of {} ms on average, {} ms at most; {} came too late",
+                                              r.n_decisions, plain_number(ms * r.mean_decision_s, 2),
+                                              plain_number(ms * r.largest_decision_s, 2), r.n_missed));
+      picture.set("t_min", r.instants.front().time_s);
+      picture.set("t_max", std::max(r.instants.back().time_s, r.instants.front().time_s + 1e-3));
+      picture.table.begin_block("time (s), distance (% of body length), bx, by (mT), time of the decision (ms)");
+      for (const TrackedInstant &i : r.instants)
+        picture.table.add_row({i.time_s, percent * i.distance_m / record.body_length_m, mT * i.field_T.x(),
+                               mT * i.field_T.y(), ms * i.decision_cpu_s});
+      return picture;
+    }
+  } // namespace
+
+  std::vector<GnuplotPicture> track_pictures(const TrackRecord &record)
+  {
+    return {path_picture(record), course_picture(record)};
+  }
+} // namespace swimtwin

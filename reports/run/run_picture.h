@@ -1,0 +1,59 @@
+// What the pictures of a run have in common: the run they show, a heading, a time axis, axes of one scale.
+#pragma once
+
+#include <datasets/scene.h>
+#include <datasets/snapshot_set.h>
+#include <datasets/trajectory.h>
+#include <reports/page/gnuplot.h>
+#include <reports/run/motion_curves.h>
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace swimtwin
+{
+  /// A run as it is shown; the trajectory is not empty.
+  struct ShownRun
+  {
+    const Scene                      &scene;
+    const Trajectory                 &trajectory;
+    const RunSummary                 &summary;
+    const std::optional<SnapshotSet> &snapshots;
+    TimeAxis                          axis;
+
+    double time(double time_s) const { return axis(time_s); }
+    bool   head_moves() const { return !scene.head.fixed; }
+    bool   has_tail() const { return scene.tail.has_value(); }
+    /// The last full period; all rows without one.
+    Rows last_period() const { return last_periods(trajectory, axis, 1); }
+    bool has_full_period() const { return n_full_periods(trajectory, axis) > 0; }
+  };
+
+  /// `finding` goes under the heading, after the scene's name.
+  GnuplotPicture make_picture(const ShownRun &run, const std::string &name, std::string_view script,
+                              const std::string &heading, const std::string &finding);
+
+  /// Label and limits of a time axis over these rows.
+  void set_time_axis(GnuplotPicture &picture, const ShownRun &run, Rows rows);
+
+  /// Smallest box around points; never smaller than `least`, so that a body at rest can be drawn too.
+  class Extent
+  {
+  public:
+    explicit Extent(double least) : least_(least) {}
+
+    void                  add(double x, double y);
+    double                size() const; ///< the larger side
+    std::array<double, 2> center() const;
+    void                  assign_to(GnuplotPicture &picture) const;
+
+  private:
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+    double                least_;
+    std::array<double, 2> low_{infinity, infinity}, high_{-infinity, -infinity};
+  };
+} // namespace swimtwin

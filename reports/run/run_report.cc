@@ -1,0 +1,74 @@
+#include <reports/run/run_report.h>
+
+#include <reports/page/number_text.h>
+#include <reports/page/shown_units.h>
+#include <reports/run/run_picture.h>
+#include <reports/run/run_tables.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace swimtwin
+{
+  namespace
+  {
+    bool has_full_period(const RunFolder &run)
+    {
+      return !run.record.summary.displacement_per_period_m.empty();
+    }
+
+    std::string verdict_text(const RunFolder &run)
+    {
+      const RunSummary &summary = run.record.summary;
+      if (!has_full_period(run))
+        return fmt::format("{}; no full period was computed", summary.status);
+      return fmt::format("{}; {} mm{} in period {}, positive head first; power imbalance {} %", summary.status,
+                         signed_number(mm * summary.net_displacement_m, 4),
+                         run.scene ? fmt::format(" ({} body lengths)", in_body_lengths(run, summary.net_displacement_m))
+                                   : "",
+                         summary.displacement_per_period_m.size(), signed_number(percent * summary.power_imbalance, 2));
+    }
+
+    void add_power_balance(HtmlPage &page, const RunFolder &run)
+    {
+      page.add_heading("Power balance");
+      if (!has_full_period(run))
+        return page.add_paragraph("It is closed over full periods, and there is none.");
+      if (has_works(run))
+        page.add_table(work_table(run));
+      page.add_table(imbalance_table(run.record.summary));
+    }
+  } // namespace
+
+  HtmlPage run_page(const RunFolder &run, const Illustrations &illustrations)
+  {
+    const auto &[summary, provenance] = run.record;
+    HtmlPage page(fmt::format("Run {}", run.name));
+    page.add_verdict(has_completed(summary) ? Verdict::good : Verdict::bad, verdict_text(run));
+    for (const std::string &warning : summary.warnings)
+      page.add_warning(warning);
+    if (!run.warning.empty())
+      page.add_warning(run.warning);
+    if (has_full_period(run))
+    {
+      page.add_heading("Displacement of the head, positive head first");
+      page.add_table(displacement_table(run));
+    }
+    add_illustrations(page, illustrations);
+    add_power_balance(page, run);
+    page.add_heading("Effort");
+    page.add_table(effort_table(summary));
+    page.add_table(cpu_table(summary));
+    if (run.scene)
+    {
+      page.add_heading("Mesh and numerics");
+      page.add_table(numerics_table(*run.scene));
+    }
+    page.add_heading("Provenance");
+    page.add_table(provenance_table(provenance));
+    page.add_heading("Scene");
+    page.add_preformatted(provenance.scene_text);
+    return page;
+  }
+} // namespace swimtwin

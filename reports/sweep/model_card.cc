@@ -1,0 +1,76 @@
+#include <reports/sweep/model_card.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace swimtwin
+{
+  namespace
+  {
+    std::string text_of(const Interval &interval, const char *unit)
+    {
+      return interval.low == interval.high ? fmt::format("{:.4g} {}", interval.low, unit)
+                                           : fmt::format("{:.4g} to {:.4g} {}", interval.low, interval.high, unit);
+    }
+
+    std::string range_line(const TrainedRange &range)
+    {
+      return fmt::format("E {}, viscosity {}, magnetization {}, frequency {}, bx {}, by {}",
+                         text_of(range.young_modulus_Pa, "Pa"), text_of(range.viscosity_Pa_s, "Pa s"),
+                         text_of(range.magnetization_A_m, "A/m"), text_of(range.frequency_Hz, "Hz"),
+                         text_of(range.bx_T, "T"), text_of(range.by_T, "T"));
+    }
+
+    double relative_error(const HeldOutRun &run)
+    {
+      return std::abs(run.reduced_displacement_m - run.displacement_m) / std::abs(run.displacement_m);
+    }
+
+    std::string held_out_line(const std::vector<HeldOutRun> &runs)
+    {
+      if (runs.empty())
+        return "no held-out runs: the displacement's error is not known";
+      double worst = 0., squares = 0.;
+      for (const HeldOutRun &run : runs)
+      {
+        worst = std::max(worst, relative_error(run));
+        squares += relative_error(run) * relative_error(run);
+      }
+      return fmt::format("displacement off by {:.2g} % (rms), {:.2g} % (worst) in {} full-order runs not trained on",
+                         100. * std::sqrt(squares / static_cast<double>(runs.size())), 100. * worst, runs.size());
+    }
+    /// How the error indicator compares with the true error, at best and at worst.
+    std::string indicator_line(const std::vector<HeldOutRun> &runs)
+    {
+      double lowest = std::numeric_limits<double>::infinity(), highest = 0.;
+      for (const HeldOutRun &run : runs)
+        if (const double error = std::abs(run.reduced_displacement_m - run.displacement_m); error > 0.)
+        {
+          lowest  = std::min(lowest, run.indicator_m / error);
+          highest = std::max(highest, run.indicator_m / error);
+        }
+      return fmt::format("the error indicator was {:.2g} to {:.2g} times the true error", lowest, highest);
+    }
+  } // namespace
+
+  std::string model_card(const ReducedModel &model)
+  {
+    const TrainingRecord &record = model.record;
+    std::string           text =
+        fmt::format("Reduced swimmer of {}: {} modes with {:.5g} % of the energy of {} snapshots\n", model.scene_name,
+                    model.n_modes(), 100. * record.energy_captured, record.n_snapshots);
+    text += fmt::format("  trained at   {}\n", range_line(model.range));
+    text += fmt::format("  held out     {}\n", held_out_line(record.held_out_runs));
+    text += fmt::format(
+        "               surface velocity off by {:.2g} % (rms), {:.2g} % (worst) at {} shapes not trained on\n",
+        100. * record.velocity_error_rms, 100. * record.velocity_error_max, record.n_held_out_samples);
+    if (!record.held_out_runs.empty())
+      text += fmt::format("               {}\n", indicator_line(record.held_out_runs));
+    for (const std::string &neglected : record.neglects)
+      text += fmt::format("  neglects     {}\n", neglected);
+    return text;
+  }
+} // namespace swimtwin

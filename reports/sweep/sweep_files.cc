@@ -1,0 +1,186 @@
+#include <reports/sweep/sweep_files.h>
+
+#include <datasets/hdf5_file.h>
+#include <datasets/hdf5_provenance.h>
+#include <datasets/output_folder.h>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace swimtwin
+{
+  namespace
+  {
+    struct Column
+    {
+      const char                                *name, *units, *description;
+      std::function<double(const SweepResult &)> value;
+    };
+
+    const std::vector<Column> &columns()
+    {
+      using Result                         = const SweepResult &;
+      static const std::vector<Column> all = {
+          {"young_modulus_Pa", "Pa", "of the tail", [](Result r) { return r.member.parameters.young_modulus_Pa; }},
+          {"frequency_Hz", "Hz", "of the field", [](Result r) { return r.member.frequency_Hz; }},
+          {"displacement_m", "m", "of the head in the third period, positive head first",
+           [](Result r) { return r.displacement_m; }},
+          {"viscosity_Pa_s", "Pa s", "of the fluid", [](Result r) { return r.member.parameters.viscosity_Pa_s; }},
+          {"magnetization_A_m", "A/m", "of the head", [](Result r) { return r.member.parameters.magnetization_A_m; }},
+          {"bx_T", "T", "constant component of the field", [](Result r) { return r.member.bx_T; }},
+          {"by_T", "T", "amplitude of the swinging component", [](Result r) { return r.member.by_T; }},
+          {"periodic_displacement_m", "m", "per period of the periodic motion, positive head first",
+           [](Result r) { return r.periodic_displacement_m; }},
+          {"error_indicator_m", "m", "what the last modes change in the displacement of the third period",
+           [](Result r) { return r.error_indicator_m; }},
+          {"inside_trained_range", "1", "1: parameters, shapes and angles are those the model was trained for; 0: not",
+           [](Result r) { return r.trust.inside() ? 1. : 0.; }}};
+      return all;
+    }
+
+    /// Empty for what is not known.
+    std::string cell(const double value)
+    {
+      return std::isfinite(value) ? fmt::format("{:.17g}", value) : "";
+    }
+
+    /// Without the table's separator.
+    std::string note(const SweepResult &result)
+    {
+      std::string text = result.trust.text();
+      if (!result.note.empty())
+        text += fmt::format("{}{}", text.empty() ? "" : "; ", result.note);
+      std::replace(text.begin(), text.end(), ',', ';');
+      return text.empty() ? "ok" : text;
+    }
+
+    std::string row(const SweepResult &result)
+    {
+      std::string line;
+      for (const Column &column : columns())
+        line += fmt::format("{},", cell(column.value(result)));
+      return fmt::format("{}{}\n", line, note(result));
+    }
+
+    std::string failure_line(const SweepResult &result)
+    {
+      return fmt::format("# not computed: young_modulus_Pa {}, frequency_Hz {}: {}\n",
+                         result.member.parameters.young_modulus_Pa, result.member.frequency_Hz, result.note);
+    }
+
+    nlohmann::ordered_json range_json(const TrainedRange &range)
+    {
+      const auto pair = [](const Interval &interval) { return std::vector<double>{interval.low, interval.high}; };
+      return {{"young_modulus_Pa", pair(range.young_modulus_Pa)},
+              {"viscosity_Pa_s", pair(range.viscosity_Pa_s)},
+              {"magnetization_A_m", pair(range.magnetization_A_m)},
+              {"frequency_Hz", pair(range.frequency_Hz)},
+              {"bx_T", pair(range.bx_T)},
+              {"by_T", pair(range.by_T)}};
+    }
+
+    nlohmann::ordered_json model_json(const ReducedModel &model, const SweepRecord &record)
+    {
+      auto runs = nlohmann::ordered_json::array();
+      for (const HeldOutRun &run : model.record.held_out_runs)
+        runs.push_back({{"young_modulus_Pa", run.young_modulus_Pa},
+                        {"magnetization_A_m", run.magnetization_A_m},
+                        {"frequency_Hz", run.frequency_Hz},
+                        {"displacement_m", run.displacement_m},
+                        {"reduced_displacement_m", run.reduced_displacement_m},
+                        {"error_indicator_m", run.indicator_m}});
+      return {{"file", record.model_file},
+              {"n_modes", record.n_modes},
+              {"trained_range", range_json(model.range)},
+              {"held_out_runs", runs},
+              {"neglects", model.record.neglects}};
+    }
+  } // namespace
+
+  bool was_computed(const SweepResult &result)
+  {
+    return std::isfinite(result.displacement_m);
+  }
+
+  std::vector<FrequencyCurve> curves_of(const std::vector<SweepResult> &results)
+  {
+    std::vector<SweepPoint> points;
+    for (const SweepResult &result : results)
+      if (const SweepMember &m = result.member; was_computed(result))
+        points.push_back({m.parameters.young_modulus_Pa, m.parameters.magnetization_A_m, m.frequency_Hz,
+                          result.displacement_m, m.parameters.viscosity_Pa_s, m.bx_T, m.by_T});
+    return frequency_curves(points);
+  }
+
+  void write_sweep_table(const std::filesystem::path &file, const std::vector<SweepResult> &results,
+                         const SweepRecord &record)
+  {
+    std::string text =
+        fmt::format("# {}, {}\n# {}\n# model {}, {} modes; scene {}\n", record.provenance.program_version,
+                    record.provenance.created, record.provenance.command_line, record.model_file, record.n_modes,
+                    record.provenance.scene_hash);
+    for (const Column &column : columns())
+      text += fmt::format("{},", column.name);
+    text += "note\n";
+    for (const SweepResult &result : results)
+      text += was_computed(result) ? row(result) : failure_line(result);
+    write_text_atomically(file, text);
+  }
+
+  void write_sweep_data(const std::filesystem::path &file, const std::vector<SweepResult> &results,
+                        const SweepRecord &record)
+  {
+    Hdf5Writer writer;
+    const auto add = [&](const Column &column) {
+      std::vector<double> values;
+      for (const SweepResult &result : results)
+        values.push_back(column.value(result));
+      writer.write_vector(fmt::format("/{}", column.name), std::span<const double>(values),
+                          {column.units, column.description});
+    };
+    std::string notes;
+    for (const SweepResult &result : results)
+      notes += fmt::format("{}\n", note(result));
+    std::for_each(columns().begin(), columns().end(), add);
+    add({"largest_multiplier", "1", "largest Floquet multiplier of the periodic motion, in size",
+         [](const SweepResult &r) { return r.largest_multiplier; }});
+    add({"cpu_time_s", "s", "of this member", [](const SweepResult &r) { return r.cpu_time_s; }});
+    writer.write_text("/notes", notes, {"1", "one line per member: why it may not be trusted, or what was not found"});
+    write_provenance(writer, record.provenance);
+    writer.save(file);
+  }
+
+  void write_sweep_summary(const std::filesystem::path &file, const ReducedModel &model,
+                           const std::vector<FrequencyCurve> &curves, const SweepRecord &record)
+  {
+    auto peaks = nlohmann::ordered_json::array();
+    for (const FrequencyCurve &curve : curves)
+      peaks.push_back({{"curve", curve.name},
+                       {"frequency_Hz", curve.peak().frequency_Hz},
+                       {"displacement_m", curve.peak().displacement_m},
+                       {"at_end_of_curve", curve.peaks_at_its_end()}});
+    const Provenance            &origin = record.provenance;
+    const nlohmann::ordered_json json   = {{"status", record.status},
+                                           {"n_members", record.n_members},
+                                           {"n_outside_trained_range", record.n_outside_trained_range},
+                                           {"n_not_computed", record.n_not_computed},
+                                           {"n_threads", record.n_threads},
+                                           {"wall_time_s", record.wall_time_s},
+                                           {"cpu_time_s", record.cpu_time_s},
+                                           {"peaks", peaks},
+                                           {"warnings", record.warnings},
+                                           {"model", model_json(model, record)},
+                                           {"provenance",
+                                            {{"program_version", origin.program_version},
+                                             {"command_line", origin.command_line},
+                                             {"scene_text", origin.scene_text},
+                                             {"scene_hash", origin.scene_hash},
+                                             {"created", origin.created},
+                                             {"wall_time_s", origin.wall_time_s}}}};
+    write_text_atomically(file, json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+  }
+} // namespace swimtwin

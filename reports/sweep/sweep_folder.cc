@@ -1,0 +1,109 @@
+#include <reports/sweep/sweep_folder.h>
+
+#include <datasets/error.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace swimtwin
+{
+  namespace fs = std::filesystem;
+
+  namespace
+  {
+    std::vector<fs::path> run_folders_in(const fs::path &folder)
+    {
+      std::error_code       error;
+      std::vector<fs::path> found;
+      for (const fs::directory_entry &entry : fs::directory_iterator(folder, error))
+        if (is_run(entry.path()))
+          found.push_back(entry.path());
+      if (error)
+        throw InputError(fmt::format("cannot read the folder {}: {}; give the folder of a run or of a sweep.",
+                                     folder.string(), error.message()));
+      std::sort(found.begin(), found.end());
+      return found;
+    }
+
+    [[noreturn]] void refuse_folder_without_results(const fs::path &folder)
+    {
+      if (fs::exists(folder / "checkpoint.h5"))
+        throw InputError(fmt::format("{} holds checkpoint.h5 of an interrupted run and no summary.json; finish it with "
+                                     "`swimtwin simulate SCENE --output {} --resume`.",
+                                     folder.string(), folder.string()));
+      throw InputError(fmt::format("{} holds no results: neither summary.json of a run, nor displacement_frequency.csv "
+                                   "of a sweep, nor folders of runs; give the --output of an earlier command.",
+                                   folder.string()));
+    }
+
+    std::string comment_lines(const fs::path &file)
+    {
+      std::istringstream stream(read_text_file(file, "the table"));
+      std::string        comments;
+      for (std::string line; std::getline(stream, line);)
+        if (line.starts_with('#'))
+          comments += fmt::format("{}\n", line);
+      return comments;
+    }
+
+    std::vector<SweepPoint> points_of(const CsvTable &table, const fs::path &file)
+    {
+      if (table.n_rows() == 0)
+        throw InputError(fmt::format("{} has a header and no rows; run the sweep again.", file.string()));
+      const auto moduli = table.column("young_modulus_Pa"), frequencies = table.column("frequency_Hz"),
+                 displacements   = table.column("displacement_m");
+      const auto column_or_zeros = [&](const char *name) {
+        return table.has_column(name) ? table.column(name) : std::vector<double>(table.n_rows(), 0.);
+      };
+      const auto magnetizations = column_or_zeros("magnetization_A_m"), viscosities = column_or_zeros("viscosity_Pa_s"),
+                 bx = column_or_zeros("bx_T"), by = column_or_zeros("by_T");
+      std::vector<SweepPoint> points;
+      for (std::size_t i = 0; i < table.n_rows(); ++i)
+        points.push_back(
+            {moduli[i], magnetizations[i], frequencies[i], displacements[i], viscosities[i], bx[i], by[i]});
+      return points;
+    }
+
+    /// Of the runs that swam at least one period of their field with a tail.
+    std::vector<SweepPoint> points_of(const std::vector<SweepRun> &runs)
+    {
+      std::vector<SweepPoint> points;
+      for (const auto &[folder, run] : runs)
+      {
+        const auto &[scene, summary] = std::tie(run.scene, run.record.summary);
+        if (has_completed(summary) && !summary.displacement_per_period_m.empty() && scene && scene->tail &&
+            scene->field.period_s() > 0.)
+          points.push_back({scene->tail->young_modulus_Pa, scene->head.magnetization_A_m, 1. / scene->field.period_s(),
+                            summary.net_displacement_m});
+      }
+      return points;
+    }
+
+    bool frequencies_differ(const std::vector<SweepPoint> &points)
+    {
+      return std::any_of(points.begin(), points.end(),
+                         [&](const SweepPoint &point) { return point.frequency_Hz != points.front().frequency_Hz; });
+    }
+  } // namespace
+
+  SweepFolder read_sweep(const fs::path &folder)
+  {
+    SweepFolder sweep;
+    sweep.name = folder_name(folder);
+    for (const fs::path &run_folder : run_folders_in(folder))
+      sweep.runs.push_back({run_folder, read_run_record(run_folder)});
+    if (const fs::path file = folder / "displacement_frequency.csv"; fs::exists(file))
+    {
+      sweep.table    = CsvTable::read(file);
+      sweep.comments = comment_lines(file);
+      sweep.curves   = frequency_curves(points_of(*sweep.table, file));
+    }
+    else if (const auto points = points_of(sweep.runs); frequencies_differ(points))
+      sweep.curves = frequency_curves(points);
+    if (!sweep.table && sweep.runs.empty())
+      refuse_folder_without_results(folder);
+    return sweep;
+  }
+} // namespace swimtwin

@@ -1,0 +1,50 @@
+#include <fom/run/run_plan.h>
+
+#include <tests/datasets/temporary_folder.h>
+#include <tests/fom/shipped_scene.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace swimtwin
+{
+  namespace
+  {
+    RunPlan channel_plan(std::vector<std::string> overrides)
+    {
+      overrides.insert(overrides.end(), {"numerics.mesh_size_m=4e-4", "numerics.mesh_size_corner_m=1.5e-4"});
+      return plan_run(shipped_scene("passive-tail-channel", overrides), MPI_COMM_WORLD);
+    }
+
+    std::string why(const std::vector<PlanItem> &items, const std::string &what)
+    {
+      const auto item = std::find_if(items.begin(), items.end(), [&](const PlanItem &i) { return i.what == what; });
+      return item == items.end() ? "not in the list" : item->why;
+    }
+
+    const std::string on_axis = "head.center_m=[0.0, 0.0]";
+  } // namespace
+
+  TEST(RunPlan, SaysWhetherHalfOfTheSceneIsSolvedAndWhy)
+  {
+    const RunPlan half = channel_plan({on_axis}), whole = channel_plan({on_axis, "numerics.symmetric_half=off"});
+    expect_in(why(half.skipped, "lower half"), "the scene has a mirror plane");
+    expect_in(why(whole.solved, "both halves"), "[numerics] symmetric_half = \"off\"");
+    EXPECT_LT(half.n_unknowns, .55 * whole.n_unknowns);
+    expect_in(why(channel_plan({}).solved, "both halves"), "no mirror plane: the head is not on the domain's axis");
+    expect_in(why(channel_plan({on_axis, "numerics.coupling=fixed-point"}).solved, "both halves"),
+              "coupling = \"fixed-point\" does not use it");
+  }
+
+  TEST(RunPlan, WarnsOfASymmetricMotionThatMayBeUnstable)
+  {
+    const std::vector<std::string> compressed = {on_axis, "gravity.acceleration_m_s2=[9.81, 0.0]"};
+    expect_in(why(channel_plan(compressed).solved, "both halves"), "the tail's weight compresses it");
+    auto insisting = compressed;
+    insisting.push_back("numerics.symmetric_half=on");
+    const auto warnings = channel_plan(insisting).warnings;
+    ASSERT_FALSE(warnings.empty());
+    expect_in(warnings.back(), "the motion is kept symmetric");
+  }
+} // namespace swimtwin
