@@ -1,6 +1,7 @@
-# Interface target with the flags of every target of ours. Warnings are errors.
+# Interface target with the flags of every target of ours. Warnings are errors. (Shadowing: of locals only, because files
+# that are compiled as one see each other's constants.)
 add_library(swimtwin_flags INTERFACE)
-target_compile_options(swimtwin_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Werror)
+target_compile_options(swimtwin_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow=local -Wnon-virtual-dtor -Woverloaded-virtual -Werror)
 target_include_directories(swimtwin_flags INTERFACE ${CMAKE_SOURCE_DIR})
 if(SWIMTWIN_SANITIZE)
   target_compile_options(swimtwin_flags INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer)
