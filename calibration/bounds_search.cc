@@ -13,7 +13,7 @@ namespace swimtwin
   namespace
   {
     // A few per mille of a displacement are enough to tell minima apart.
-    constexpr double tolerance = 1e-5, interpolation_error = 1e-2;
+    constexpr double tolerance = 1e-5, coarse_interpolation_error = 1e-2;
     constexpr int    most_distinct = 3;
 
     Eigen::MatrixXd starts_of(const FitInput &input)
@@ -46,7 +46,7 @@ namespace swimtwin
     const auto         table =
         tabulated_displacements(input, groups_within_bounds(input),
                                 {.relative_tolerance  = tolerance,
-                                 .interpolation_error = interpolation_error,
+                                 .interpolation_error = coarse_interpolation_error,
                                  .n_threads           = input.n_threads,
                                  .on_progress         = [&input](const double done) { input.show("search", done); }},
                                 n_runs);

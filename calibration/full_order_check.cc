@@ -1,5 +1,7 @@
 #include <calibration/full_order_check.h>
+
 #include <datasets/error.h>
+#include <rom/dense_algebra.h>
 
 #include <fmt/format.h>
 
@@ -54,9 +56,7 @@ namespace swimtwin
       const Eigen::MatrixXd &prior     = estimate.information.prior;
       const Eigen::MatrixXd  A         = J.transpose() * J + prior;
       const Eigen::VectorXd  slope     = J.transpose() * residual + prior * (misfit.prior_means - estimate.x());
-      Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver(A);
-      solver.setThreshold(null_strength * null_strength);
-      return solver.solve(slope);
+      return shortest_least_squares(A, slope, null_strength * null_strength);
     }
 
     std::string verdict(const double largest_move, const std::string &name, const std::size_t n)

@@ -1,7 +1,6 @@
 #include <calibration/information.h>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/SVD>
+#include <rom/dense_algebra.h>
 
 #include <cmath>
 #include <limits>
@@ -17,9 +16,9 @@ namespace swimtwin
     {
       if (null.cols() == 0)
         return null;
-      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(null.transpose() * prior * null);
-      const auto n = (eigen.eigenvalues().array() < 1e-8).count(); // a prior of less than 1e4 in a logarithm decides
-      return null * eigen.eigenvectors().leftCols(n);
+      const SymmetricEigen eigen = symmetric_eigen(null.transpose() * prior * null);
+      const auto           n = (eigen.values.array() < 1e-8).count(); // a prior of less than 1e4 in a logarithm decides
+      return null * eigen.vectors.leftCols(n);
     }
 
     /// Inverse of the information on the directions that are decided.
@@ -30,9 +29,9 @@ namespace swimtwin
         return Eigen::MatrixXd::Zero(p, p);
       Eigen::MatrixXd Z = Eigen::MatrixXd::Identity(p, p);
       if (n > 0)
-        Z = Eigen::MatrixXd(Eigen::HouseholderQR<Eigen::MatrixXd>(undecided).householderQ()).rightCols(p - n);
+        Z = orthogonal_complement(undecided);
       const Eigen::MatrixXd inside = Z.transpose() * information * Z;
-      return Z * inside.ldlt().solve(Eigen::MatrixXd::Identity(p - n, p - n)) * Z.transpose();
+      return Z * solve_symmetric<Eigen::MatrixXd>(inside, Eigen::MatrixXd::Identity(p - n, p - n)) * Z.transpose();
     }
   } // namespace
 
@@ -50,17 +49,17 @@ namespace swimtwin
 
   Information information(const Misfit &misfit, const Eigen::VectorXd &unknowns, const Prediction &prediction)
   {
-    Information                       result;
-    const Eigen::LLT<Eigen::MatrixXd> factor(misfit.covariance(prediction, misfit.noise_scale));
-    result.whitened = factor.matrixL().solve(prediction.by_x);
-    result.residual = factor.matrixL().solve(misfit.mean_residual(unknowns, prediction));
-    result.prior    = misfit.prior_information();
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(result.whitened, Eigen::ComputeFullV);
-    const Eigen::Index                      p                = result.whitened.cols();
-    result.singular_values                                   = Eigen::VectorXd::Zero(p);
-    result.singular_values.head(svd.singularValues().size()) = svd.singularValues();
+    Information           result;
+    const Eigen::MatrixXd L = cholesky_factor(misfit.covariance(prediction, misfit.noise_scale));
+    result.whitened         = solve_lower<Eigen::MatrixXd>(L, prediction.by_x);
+    result.residual         = solve_lower<Eigen::VectorXd>(L, misfit.mean_residual(unknowns, prediction));
+    result.prior            = misfit.prior_information();
+    const RightSingular svd = right_singular(result.whitened);
+    const Eigen::Index  p   = result.whitened.cols();
+    result.singular_values  = Eigen::VectorXd::Zero(p);
+    result.singular_values.head(svd.values.size()) = svd.values;
     const auto n_null      = (result.singular_values.array() <= null_strength * result.singular_values[0]).count();
-    result.null_directions = svd.matrixV().rightCols(n_null);
+    result.null_directions = svd.vectors.rightCols(n_null);
     result.undecided       = undecided_directions(result.null_directions, result.prior);
     result.covariance = inverse_beside(result.whitened.transpose() * result.whitened + result.prior, result.undecided);
     return result;

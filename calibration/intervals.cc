@@ -1,7 +1,8 @@
 #include <calibration/intervals.h>
-#include <datasets/parallel_for.h>
 
-#include <Eigen/Eigenvalues>
+#include <datasets/parallel_for.h>
+#include <rom/dense_algebra.h>
+
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <boost/math/tools/roots.hpp>
@@ -234,8 +235,8 @@ namespace swimtwin
 
   Eigen::MatrixXd draws_from_curvature(const Estimate &estimate, const int n, const unsigned long seed)
   {
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(estimate.information.covariance);
-    const Eigen::MatrixXd root = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.).cwiseSqrt().asDiagonal();
+    const SymmetricEigen  eigen = symmetric_eigen(estimate.information.covariance);
+    const Eigen::MatrixXd root  = eigen.vectors * eigen.values.cwiseMax(0.).cwiseSqrt().asDiagonal();
     Eigen::MatrixXd       draws(n, root.rows());
     for (int i = 0; i < n; ++i)
       draws.row(i) = estimate.x() + root * NormalNumbers(seed, static_cast<std::size_t>(i)).vector(root.cols());

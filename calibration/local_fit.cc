@@ -1,7 +1,9 @@
 #include <calibration/local_fit.h>
+
 #include <calibration/noise_level.h>
 #include <calibration/search_misfit.h>
 #include <datasets/error.h>
+#include <rom/dense_algebra.h>
 
 #include <fmt/format.h>
 
@@ -13,7 +15,7 @@ namespace swimtwin
   namespace
   {
     // What is read off derivatives (null directions!) needs as many digits as there are.
-    constexpr double information_tolerance = 1e-9, interpolation_error = 1e-5;
+    constexpr double information_tolerance = 1e-9, fine_interpolation_error = 1e-5;
     constexpr int    most_rounds = 4; // of moving the estimate's table to where the estimate is
 
     // The estimate's table reaches this many standard deviations, and at least this far in a logarithm.
@@ -91,7 +93,7 @@ namespace swimtwin
   {
     estimate_.local = tabulated_displacements(input_, local_box(),
                                               {.relative_tolerance  = estimate_tolerance,
-                                               .interpolation_error = interpolation_error,
+                                               .interpolation_error = fine_interpolation_error,
                                                .n_threads           = input_.n_threads},
                                               estimate_.n_runs);
     if (!estimate_.local)
@@ -176,9 +178,7 @@ namespace swimtwin
     for (Eigen::Index j = 0; j < lower_.size(); ++j)
       if (is_held(j, slope[j]))
         J.col(j).setZero();
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver(J);
-    solver.setThreshold(null_strength);
-    return solver.solve(-rows_.rows);
+    return shortest_least_squares<Eigen::VectorXd>(J, -rows_.rows, null_strength);
   }
 
   bool LocalFit::is_held(const Eigen::Index j, const double slope) const

@@ -1,6 +1,6 @@
 #include <calibration/model_error.h>
 
-#include <Eigen/Eigenvalues>
+#include <rom/dense_algebra.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,10 +22,10 @@ namespace swimtwin
 
     Eigen::MatrixXd square_root(const Eigen::MatrixXd &correlation)
     {
-      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(correlation);
-      const Eigen::VectorXd                               &values = eigen.eigenvalues(); // increasing
-      const auto kept = (values.array() > smallest_share * values[values.size() - 1]).count();
-      return eigen.eigenvectors().rightCols(kept) * values.tail(kept).cwiseSqrt().asDiagonal();
+      const SymmetricEigen   eigen  = symmetric_eigen(correlation);
+      const Eigen::VectorXd &values = eigen.values; // increasing
+      const auto             kept   = (values.array() > smallest_share * values[values.size() - 1]).count();
+      return eigen.vectors.rightCols(kept) * values.tail(kept).cwiseSqrt().asDiagonal();
     }
   } // namespace
 

@@ -1,7 +1,8 @@
-#include <calibration/information.h>
 #include <calibration/noise_level.h>
 
-#include <Eigen/Eigenvalues>
+#include <calibration/information.h>
+#include <rom/dense_algebra.h>
+
 #include <boost/math/tools/minima.hpp>
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace swimtwin
   {
     double log_determinant(const Eigen::MatrixXd &symmetric)
     {
-      const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric).eigenvalues();
+      const Eigen::VectorXd values = symmetric_eigenvalues(symmetric);
       const double          least  = std::pow(null_strength, 2) * values.maxCoeff();
       return (values.array() > least).select(values.array().max(1e-300).log(), 0.).sum();
     }
@@ -48,10 +49,10 @@ namespace swimtwin
     }
     const Eigen::MatrixXd prior     = misfit.prior_information();
     const auto            criterion = [&](const double logarithm) {
-      const Eigen::MatrixXd             V = misfit.covariance(prediction, std::exp(logarithm));
-      const Eigen::LLT<Eigen::MatrixXd> factor(V);
-      const Eigen::MatrixXd             X = factor.matrixL().solve(prediction.by_x);
-      const Eigen::VectorXd             e = factor.matrixL().solve(residual);
+      const Eigen::MatrixXd V = misfit.covariance(prediction, std::exp(logarithm));
+      const Eigen::MatrixXd L = cholesky_factor(V);
+      const Eigen::MatrixXd X = solve_lower(L, prediction.by_x);
+      const Eigen::VectorXd e = solve_lower(L, residual);
       return 0.5 * (log_determinant(V) + log_determinant(X.transpose() * X + prior) + e.squaredNorm());
     };
     const auto [best, value] = boost::math::tools::brent_find_minima(criterion, std::log(lower), std::log(upper), 24);

@@ -1,5 +1,7 @@
 #include <calibration/null_reading.h>
 
+#include <rom/dense_algebra.h>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -98,8 +100,7 @@ namespace swimtwin
     };
     const auto remove = [&rest](const Eigen::VectorXd &direction) {
       const Eigen::VectorXd inside = rest.transpose() * direction;
-      rest                         = rest *
-             Eigen::MatrixXd(Eigen::HouseholderQR<Eigen::MatrixXd>(inside).householderQ()).rightCols(rest.cols() - 1);
+      rest                         = rest * orthogonal_complement(inside);
     };
     for (const KnownDirection &known : known_directions())
       if (const auto direction = scaled_direction(known, input, estimate.x()); direction && rest.cols() > 0)

@@ -15,7 +15,7 @@ namespace swimtwin
 {
   namespace
   {
-    constexpr double pi = std::numbers::pi;
+    using std::numbers::pi;
 
     /// Sideways shift of the head when the body turns back to the field, from an angle off it.
     double shift_when_turned(const ReducedSwimmer &swimmer, const RunRequest &periodic, const double angle)

@@ -1,6 +1,6 @@
 #include <control/multiplier_slopes.h>
 
-#include <Eigen/Eigenvalues>
+#include <rom/dense_algebra.h>
 
 namespace swimtwin
 {
@@ -9,10 +9,10 @@ namespace swimtwin
     /// The eigenvector of the eigenvalue nearest to `value`, of unit length.
     Eigen::VectorXcd eigenvector(const Eigen::MatrixXd &matrix, const std::complex<double> value)
     {
-      const Eigen::EigenSolver<Eigen::MatrixXd> solver(matrix);
-      Eigen::Index                              nearest = 0;
-      (solver.eigenvalues().array() - value).abs().minCoeff(&nearest);
-      return solver.eigenvectors().col(nearest).normalized();
+      const ComplexEigen eigen   = complex_eigen(matrix);
+      Eigen::Index       nearest = 0;
+      (eigen.values.array() - value).abs().minCoeff(&nearest);
+      return eigen.vectors.col(nearest).normalized();
     }
   } // namespace
 

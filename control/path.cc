@@ -11,7 +11,8 @@ namespace swimtwin
 {
   namespace
   {
-    constexpr double pi             = std::numbers::pi;
+    using std::numbers::pi;
+
     constexpr double corner_rad     = 0.1; // a curve's pieces turn by less
     constexpr int    pieces_of_turn = 360;
 

@@ -1,5 +1,7 @@
 #include <control/path_follower.h>
 
+#include <rom/dense_algebra.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -134,10 +136,10 @@ namespace swimtwin
     const Eigen::Index n = rows.matrix.cols(), n_free = first + n - first_free;
     if (n_free <= 0)
       return;
-    const Eigen::MatrixXd A    = rows.matrix.topRows(rows.n).rightCols(n_free);
-    const Eigen::VectorXd step = -(A.transpose() * A + 1e-6 * Eigen::MatrixXd::Identity(n_free, n_free))
-                                      .ldlt()
-                                      .solve(A.transpose() * rows.residual.head(rows.n));
+    const Eigen::MatrixXd A = rows.matrix.topRows(rows.n).rightCols(n_free);
+    const Eigen::VectorXd step =
+        -solve_symmetric<Eigen::VectorXd>(A.transpose() * A + 1e-6 * Eigen::MatrixXd::Identity(n_free, n_free),
+                                          A.transpose() * rows.residual.head(rows.n));
     Eigen::VectorXd &a     = plan.angles_rad;
     const double     limit = options_.max_turn_rad;
     for (Eigen::Index i = 0; i < n_free; ++i)

@@ -1,5 +1,8 @@
-#include <control/multiplier_slopes.h>
 #include <control/stroke.h>
+
+#include <control/multiplier_slopes.h>
+#include <rom/area_constraint.h>
+#include <rom/dense_algebra.h>
 
 #include <algorithm>
 #include <array>
@@ -28,18 +31,6 @@ namespace swimtwin
       Eigen::VectorXd scale = Eigen::VectorXd::Constant(swimmer.n_modes() + 1, swimmer.length_m());
       scale[0]              = 1.;
       return scale;
-    }
-
-    /// Orthonormal directions along which the area does not change: all of them in an open domain.
-    Eigen::MatrixXd free_directions(const ReducedSwimmer &swimmer, const SwimmerState &start)
-    {
-      const Eigen::Index n = swimmer.n_modes() + 1;
-      if (!swimmer.keeps_area())
-        return Eigen::MatrixXd::Identity(n, n);
-      Eigen::VectorXd phi     = Eigen::VectorXd::Zero(n);
-      phi.tail(n - 1)         = swimmer.area_gradient(start.tail(n - 1));
-      const Eigen::MatrixXd Q = Eigen::HouseholderQR<Eigen::MatrixXd>(phi).householderQ();
-      return Q.rightCols(n - 1);
     }
   } // namespace
 
@@ -110,7 +101,7 @@ namespace swimtwin
     const Eigen::Index    n = scale_.size();
     const Eigen::MatrixXd Z = free_directions(swimmer_, start);
     const Eigen::MatrixXd A = Z.transpose() * (Eigen::MatrixXd::Identity(n, n) - map.leftCols(n)) * Z;
-    return Z * A.colPivHouseholderQr().solve(Z.transpose() * map.rightCols(map.cols() - n));
+    return Z * solve_by_qr<Eigen::MatrixXd>(A, Z.transpose() * map.rightCols(map.cols() - n));
   }
 
   void StrokeFinder::add_slopes(const SwimmerRun &run, Stroke &stroke)

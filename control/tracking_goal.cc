@@ -23,7 +23,7 @@ namespace swimtwin
          {"square", PathShape::square},
          {"figure-eight", PathShape::figure_eight},
          {"waypoints", PathShape::waypoints}}};
-    constexpr std::array<std::pair<std::string_view, TrackingKind>, 3> kinds = {
+    constexpr std::array<std::pair<std::string_view, TrackingKind>, 3> tracking_kinds = {
         {{"path", TrackingKind::path}, {"closed-loop", TrackingKind::closed_loop}, {"target", TrackingKind::target}}};
     constexpr std::array<std::pair<std::string_view, PlantKind>, 2> plants = {
         {{"reduced", PlantKind::reduced}, {"full-order", PlantKind::full_order}}};
@@ -169,7 +169,7 @@ namespace swimtwin
     goal.text = read_text_file(file, "the goal");
     const TomlDocument document(goal.text, file.string(), {});
     TomlTable          top(document, "");
-    top.choice("kind", Need::required, kinds, goal.kind);
+    top.choice("kind", Need::required, tracking_kinds, goal.kind);
     for (const char *table : {"path", "carrier", "limits", "follower", "loop", "swimmer", "plant"})
       top.table(table);
     top.finish();

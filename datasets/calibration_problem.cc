@@ -42,7 +42,6 @@ namespace swimtwin
                                                                            {"cauchy", LossKind::cauchy}}};
     constexpr std::array<std::pair<std::string_view, bool>, 2> scale_names{{{"log", true}, {"linear", false}}};
 
-    constexpr Range at_least_one{1., infinity, false, false, "be at least 1"};
     constexpr Range level_range{0.5, 1., false, true, "be at least 0.5 and less than 1"};
     constexpr Range error_range{0., 0.5, false, false, "lie between 0 and 0.5"};
 

@@ -10,7 +10,6 @@ namespace swimtwin
 {
   namespace
   {
-    constexpr Range at_least_one{1., infinity, false, false, "be at least 1"};
     constexpr Range above_freezing{-50., 150., false, false, "lie between -50 and 150"};
 
     void note_all(const TomlTable &table, DataProblems &problems)

@@ -24,7 +24,6 @@ namespace swimtwin
     }
 
     constexpr Range poisson_range{-1., 0.5, true, true, "lie between -1 and 0.5, both excluded"};
-    constexpr Range at_least_one{1., infinity, false, false, "be at least 1"};
     constexpr Range tolerance_range{0., 1., true, true, "lie between 0 and 1, both excluded"};
     constexpr Range quality_range{0., 1., false, true, "be at least 0 and less than 1"};
     constexpr Range order_range{1., 2., false, false, "be 1 or 2"};

@@ -28,6 +28,7 @@ namespace swimtwin
   inline constexpr Range  any_number{};
   inline constexpr Range  positive{0., infinity, true, false, "be positive"};
   inline constexpr Range  not_negative{0., infinity, false, false, "not be negative"};
+  inline constexpr Range  at_least_one{1., infinity, false, false, "be at least 1"};
 
   /// What a number means: its unit and what is allowed.
   struct NumberRule

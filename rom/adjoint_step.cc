@@ -1,5 +1,7 @@
 #include <rom/adjoint_step.h>
 
+#include <rom/dense_algebra.h>
+
 // Letters as in docs/equations.md, "Adjoint and tracking": y state, lambda its adjoint, J the derivative of dy/dphase
 // by y, l the running part of the functional, f the frequency.
 
@@ -42,7 +44,7 @@ namespace swimtwin
         lambdas_.segment(i * n, n) += h * rule_.A(i, j) * stage.running_by_state;
       }
     }
-    lambdas_ = matrix_.partialPivLu().solve(lambdas_).eval();
+    lambdas_ = solve_by_lu(matrix_, lambdas_);
   }
 
   /// weight (lambda . dF/dp + dl/dp / f) for all parameters p.

@@ -1,5 +1,8 @@
 #include <rom/drift_gradient.h>
 
+#include <rom/area_constraint.h>
+#include <rom/dense_algebra.h>
+
 namespace swimtwin
 {
   namespace
@@ -29,18 +32,6 @@ namespace swimtwin
       return parameters;
     }
 
-    /// Of (angle, shape), lengths per body length: what keeps the tail's area, or all of them.
-    Eigen::MatrixXd free_directions(const ReducedSwimmer &swimmer, const SwimmerState &state)
-    {
-      const int n = swimmer.n_modes() + 1;
-      if (!swimmer.keeps_area())
-        return Eigen::MatrixXd::Identity(n, n);
-      Eigen::VectorXd phi     = Eigen::VectorXd::Zero(n);
-      phi.tail(n - 1)         = swimmer.area_gradient(state.tail(n - 1));
-      const Eigen::MatrixXd Q = Eigen::HouseholderQR<Eigen::MatrixXd>(phi).householderQ();
-      return Q.rightCols(n - 1);
-    }
-
     /// The adjoint of angle and shape that returns to itself, (I - M^T) mu = (d drift / d start)^T direction, behind
     /// the direction itself.
     Eigen::VectorXd periodic_adjoint(const ReducedSwimmer &swimmer, const SwimmerState &start, const Eigen::MatrixXd &S,
@@ -53,7 +44,7 @@ namespace swimtwin
       const Eigen::VectorXd d  = scale.asDiagonal() * S.topRows(2).transpose() * direction;
       const Eigen::MatrixXd Z  = free_directions(swimmer, start);
       const Eigen::MatrixXd A  = Z.transpose() * (Eigen::MatrixXd::Identity(n, n) - M) * Z;
-      const Eigen::VectorXd mu = Z * A.transpose().colPivHouseholderQr().solve(Z.transpose() * d);
+      const Eigen::VectorXd mu = Z * solve_by_qr<Eigen::VectorXd>(A.transpose(), Z.transpose() * d);
       Eigen::VectorXd       weights(n + 2);
       weights << direction, scale.cwiseInverse().cwiseProduct(mu);
       return weights;

@@ -1,4 +1,6 @@
 #include <rom/motion_linearisation.h>
+
+#include <rom/dense_algebra.h>
 #include <rom/radau_rule.h>
 
 #include <array>
@@ -76,7 +78,7 @@ namespace swimtwin
             load.middleRows(i * n, n) += h * rule_.A(i, j) * stage.input;
           }
         }
-        return matrix.partialPivLu().solve(load);
+        return solve_by_lu(matrix, load);
       }
 
       PhaseEquations             &equations_;

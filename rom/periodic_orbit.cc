@@ -1,6 +1,8 @@
 #include <rom/periodic_orbit.h>
 
-#include <Eigen/Eigenvalues>
+#include <rom/area_constraint.h>
+#include <rom/dense_algebra.h>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -98,17 +100,6 @@ namespace swimtwin
     return period;
   }
 
-  Eigen::MatrixXd PeriodicOrbitFinder::free_directions(const Eigen::VectorXd &start) const
-  {
-    const Eigen::Index n = start.size();
-    if (!swimmer_.keeps_area())
-      return Eigen::MatrixXd::Identity(n, n);
-    Eigen::VectorXd phi     = Eigen::VectorXd::Zero(n);
-    phi.tail(n - 1)         = swimmer_.area_gradient(state_of(start).tail(n - 1));
-    const Eigen::MatrixXd Q = Eigen::HouseholderQR<Eigen::MatrixXd>(phi).householderQ();
-    return Q.rightCols(n - 1);
-  }
-
   /// Back to the area at rest.
   Eigen::VectorXd PeriodicOrbitFinder::area_correction(const Eigen::VectorXd &start) const
   {
@@ -124,18 +115,18 @@ namespace swimtwin
   Eigen::VectorXd PeriodicOrbitFinder::newton_step(const Eigen::VectorXd &start, const PeriodMap &period) const
   {
     const Eigen::Index    n = start.size();
-    const Eigen::MatrixXd Z = free_directions(start), I = Eigen::MatrixXd::Identity(n, n);
+    const Eigen::MatrixXd Z = free_directions(swimmer_, state_of(start)), I = Eigen::MatrixXd::Identity(n, n);
     const Eigen::VectorXd correction = area_correction(start);
     const Eigen::VectorXd residual   = period.end - start + (period.monodromy - I) * correction;
     const Eigen::MatrixXd A          = Z.transpose() * (I - period.monodromy) * Z;
-    Eigen::VectorXd       step       = Z * A.colPivHouseholderQr().solve(Z.transpose() * residual) + correction;
+    Eigen::VectorXd       step       = Z * solve_by_qr<Eigen::VectorXd>(A, Z.transpose() * residual) + correction;
     return step * std::min(1., largest_step / step.norm());
   }
 
   Eigen::VectorXcd PeriodicOrbitFinder::multipliers(const Eigen::VectorXd &start, const PeriodMap &period) const
   {
-    const Eigen::MatrixXd Z = free_directions(start);
-    return Eigen::EigenSolver<Eigen::MatrixXd>(Z.transpose() * period.monodromy * Z, false).eigenvalues();
+    const Eigen::MatrixXd Z = free_directions(swimmer_, state_of(start));
+    return complex_eigenvalues(Z.transpose() * period.monodromy * Z);
   }
 
   void PeriodicOrbitFinder::describe(const Eigen::VectorXd &start, const PeriodMap &period, PeriodicOrbit &orbit) const
@@ -244,10 +235,10 @@ namespace swimtwin
     }
     const Eigen::MatrixXd &S = run.sensitivity_at_period_end.back();
     const Eigen::Index     n = swimmer_.n_modes() + 1, n_parameters = S.cols() - n;
-    const Eigen::MatrixXd  Z = free_directions(scaled(orbit.start));
+    const Eigen::MatrixXd  Z = free_directions(swimmer_, orbit.start);
     const Eigen::MatrixXd  A = Z.transpose() * (Eigen::MatrixXd::Identity(n, n) - S.bottomLeftCorner(n, n)) * Z;
     const Eigen::MatrixXd  motion =
-        Z * A.colPivHouseholderQr().solve(Z.transpose() * S.bottomRightCorner(n, n_parameters));
+        Z * solve_by_qr<Eigen::MatrixXd>(A, Z.transpose() * S.bottomRightCorner(n, n_parameters));
     orbit.drift_sensitivity = S.topRightCorner(2, n_parameters) + S.topLeftCorner(2, n) * motion;
   }
 

@@ -78,8 +78,6 @@ namespace swimtwin
     PeriodMap       map(const Eigen::VectorXd &start, SwimmerIntegrator &integrator);
     Eigen::VectorXd scaled(const SwimmerState &state) const;
     SwimmerState    state_of(const Eigen::VectorXd &scaled) const;
-    /// Orthonormal directions along which the area does not change: all of them in an open domain.
-    Eigen::MatrixXd free_directions(const Eigen::VectorXd &start) const;
     Eigen::VectorXd newton_step(const Eigen::VectorXd &start, const PeriodMap &period) const;
     PeriodMap next_map(const Eigen::VectorXd &start, const PeriodMap &last, double last_closure, PeriodicOrbit &orbit);
     Eigen::VectorXd  area_correction(const Eigen::VectorXd &start) const;

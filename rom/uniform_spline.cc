@@ -1,5 +1,7 @@
-#include <datasets/error.h>
 #include <rom/uniform_spline.h>
+
+#include <datasets/error.h>
+#include <rom/dense_algebra.h>
 
 #include <fmt/format.h>
 
@@ -70,6 +72,6 @@ namespace swimtwin
       for (std::size_t k = 0; k < order; ++k)
         basis(i, place.index[k]) += place.weight[k];
     }
-    return basis.completeOrthogonalDecomposition().solve(values);
+    return shortest_least_squares(basis, values);
   }
 } // namespace swimtwin

@@ -1,6 +1,7 @@
 #include <rom/training/basis_builder.h>
 
 #include <datasets/error.h>
+#include <rom/dense_algebra.h>
 
 #include <algorithm>
 #include <cmath>
@@ -113,7 +114,7 @@ namespace swimtwin
     const double weight   = told * std::sqrt(std::max<double>(m, 1.));
     z.bottomRows(n_pairs) = weight * Eigen::MatrixXd::Identity(n_pairs, n_pairs);
     data << space_.amplitudes(basis.followers, X).transpose(), weight * expected.transpose();
-    const Eigen::MatrixXd scaled = z.colPivHouseholderQr().solve(data).transpose();
+    const Eigen::MatrixXd scaled = solve_by_qr(z, data).transpose();
     basis.quadratic              = scaled * sizes.cwiseInverse().asDiagonal();
   }
 

@@ -1,4 +1,6 @@
 #include <rom/training/pose_dependence.h>
+
+#include <rom/dense_algebra.h>
 #include <rom/training/resistance_fit.h>
 
 #include <algorithm>
@@ -9,7 +11,7 @@ namespace swimtwin
   {
     double relative_change(const Eigen::MatrixXd &from, const Eigen::MatrixXd &to)
     {
-      return seen_from(from.llt().matrixL(), to - from).operatorNorm();
+      return seen_from(cholesky_factor(from), to - from).operatorNorm();
     }
   } // namespace
 

@@ -1,8 +1,8 @@
 #include <rom/training/resistance_fit.h>
 
-#include <rom/training/monomial_features.h>
-
 #include <datasets/error.h>
+#include <rom/dense_algebra.h>
+#include <rom/training/monomial_features.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,19 +26,19 @@ namespace swimtwin
       for (Eigen::Index j = 0; j < rest.cols(); ++j)
         if (velocity_parity(i) * velocity_parity(j) < 0)
           symmetric(i, j) = 0.;
-    return symmetric.llt().matrixL();
+    return cholesky_factor(symmetric);
   }
 
   Eigen::MatrixXd seen_from(const Eigen::MatrixXd &L, const Eigen::MatrixXd &A)
   {
-    const Eigen::MatrixXd half = L.triangularView<Eigen::Lower>().solve(A);
-    return L.triangularView<Eigen::Lower>().solve(half.transpose()).transpose();
+    const Eigen::MatrixXd half = solve_lower(L, A);
+    return solve_lower<Eigen::MatrixXd>(L, half.transpose()).transpose();
   }
 
   Eigen::VectorXd factor_entries(const Eigen::MatrixXd &L0, const Eigen::MatrixXd &resistance)
   {
     const Eigen::MatrixXd scaled = seen_from(L0, resistance);
-    const Eigen::MatrixXd C      = ((scaled + scaled.transpose()) / 2.).llt().matrixL();
+    const Eigen::MatrixXd C      = cholesky_factor((scaled + scaled.transpose()) / 2.);
     const Eigen::Index    n      = C.rows();
     Eigen::VectorXd       entries(n * (n + 1) / 2);
     for (Eigen::Index i = 0, k = 0; i < n; ++i)
@@ -90,7 +90,7 @@ namespace swimtwin
         Eigen::MatrixXd data     = Eigen::MatrixXd::Zero(A.rows() + static_cast<Eigen::Index>(features.size()),
                                                          static_cast<Eigen::Index>(entries.size()));
         data.topRows(A.rows())   = table.entries(Eigen::all, entries);
-        c(features, entries)     = with_ridge(A(Eigen::all, features)).householderQr().solve(data).eval();
+        c(features, entries)     = solve_by_plain_qr(with_ridge(A(Eigen::all, features)), data);
       }
       return c;
     }
@@ -107,7 +107,7 @@ namespace swimtwin
     /// Largest relative error of the resistance for any motion.
     double relative_error(const Eigen::VectorXd &fitted, const Eigen::VectorXd &truth, const Eigen::Index n)
     {
-      const Eigen::MatrixXd D = factor(fitted, n).triangularView<Eigen::Lower>().solve(factor(truth, n));
+      const Eigen::MatrixXd D = solve_lower(factor(fitted, n), factor(truth, n));
       return (D * D.transpose() - Eigen::MatrixXd::Identity(n, n)).operatorNorm();
     }
 

@@ -1,5 +1,7 @@
 #include <rom/training/sampled_shapes.h>
 
+#include <rom/dense_algebra.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -59,7 +61,7 @@ namespace swimtwin
       A.row(k) << std::sin(points[k].angle_rad), points[k].q.transpose() / length;
     heights.head(m)             = ways.row(1).transpose();
     A.bottomRows(r + 1)         = damping * A.topRows(m).norm() * Eigen::MatrixXd::Identity(r + 1, r + 1);
-    const Eigen::VectorXd found = A.colPivHouseholderQr().solve(heights);
+    const Eigen::VectorXd found = solve_by_qr(A, heights);
 
     Wandering result{{found(0), found.tail(r) / length}, Eigen::Vector2d::Zero()};
     for (Eigen::Index k = 0; k < m; ++k)

@@ -5,6 +5,7 @@
 #include <datasets/error.h>
 #include <datasets/provenance.h>
 #include <fom/run/run_recorder.h>
+#include <rom/dense_algebra.h>
 #include <rom/training/basis_builder.h>
 #include <rom/training/explored_shapes.h>
 #include <rom/training/held_out_runs.h>
@@ -186,10 +187,8 @@ namespace swimtwin
         const Eigen::VectorXd d = samples_.front().resistance.diagonal().cwiseSqrt().cwiseInverse();
         for (const auto &sample : samples_)
         {
-          const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(
-              d.asDiagonal() * sample.resistance * d.asDiagonal(), Eigen::EigenvaluesOnly);
-          r.largest_condition =
-              std::max(r.largest_condition, eigen.eigenvalues().maxCoeff() / eigen.eigenvalues().minCoeff());
+          const Eigen::VectorXd values = symmetric_eigenvalues(d.asDiagonal() * sample.resistance * d.asDiagonal());
+          r.largest_condition          = std::max(r.largest_condition, values.maxCoeff() / values.minCoeff());
         }
         r.neglects.push_back(
             fmt::format("Inertia of fluid and solid: the unsteady group 2 pi rho f L^2 / mu is up to {:.2g}.",
