@@ -102,10 +102,10 @@ namespace swimtwin
     {
       if (!can_be_drawn(results))
         return {};
-      if (!gnuplot_is_installed())
+      if (const auto fault = find_gnuplot_fault())
         return {{},
-                "No pictures were drawn because gnuplot is not installed; install it with `apt-get install "
-                "gnuplot-nox` and make the page again with --force."};
+                fmt::format("No pictures were drawn because {}; {} and make the page again with --force.", fault->cause,
+                            fault->remedy)};
       Illustrations illustrations;
       illustrations.pictures = draw(results, folder, illustrations.warning);
       return illustrations;

@@ -10,15 +10,18 @@ namespace swimtwin
 
   namespace
   {
-    /// Goes on after a picture that fails; `warning` then tells the last failure.
+    /// Goes on after a picture that fails, while there is time; `warning` then tells the last failure.
     std::vector<fs::path> draw_each(const fs::path &folder, const std::vector<GnuplotPicture> &pictures,
                                     std::string &warning)
     {
+      using Clock               = std::chrono::steady_clock;
+      const auto            end = Clock::now() + drawing_limit;
       std::vector<fs::path> drawn;
-      for (const GnuplotPicture &picture : pictures)
+      for (auto picture = pictures.begin(); picture != pictures.end() && Clock::now() < end; ++picture)
         try
         {
-          drawn.push_back(draw_png(folder, picture.name));
+          const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now());
+          drawn.push_back(draw_png(folder, picture->name, left));
         }
         catch (const ComputationError &error)
         {
@@ -38,11 +41,11 @@ namespace swimtwin
       fs::create_directories(folder);
       for (const GnuplotPicture &picture : pictures)
         write_gnuplot_files(folder, picture, origin);
-      if (gnuplot_is_installed())
+      const auto fault = find_gnuplot_fault();
+      if (!fault)
         return draw_each(folder, pictures, warning);
-      warning = fmt::format("no pictures were drawn because gnuplot is not installed; install it with `apt-get install "
-                            "gnuplot-nox` and run it on the .gp files in {}.",
-                            folder.string());
+      warning = fmt::format("no pictures were drawn because {}; {} and run it on the .gp files in {}.", fault->cause,
+                            fault->remedy, folder.string());
     }
     catch (const ComputationError &error)
     {

@@ -1,19 +1,14 @@
 #include <reports/page/gnuplot.h>
 
 #include <datasets/output_folder.h>
+#include <reports/page/gnuplot_process.h>
 #include <reports/page/gnuplot_style.h>
 
 #include <fmt/format.h>
-#include <sys/wait.h>
 
-#include <array>
-#include <cerrno>
 #include <cmath>
-#include <fcntl.h>
-#include <spawn.h>
 #include <stdexcept>
 #include <system_error>
-#include <unistd.h>
 
 namespace swimtwin
 {
@@ -21,88 +16,7 @@ namespace swimtwin
 
   namespace
   {
-    struct ProcessResult
-    {
-      bool        succeeded = false;
-      std::string messages; ///< what it wrote to standard error
-    };
-
-    /// What the child sees: a working folder, no input, no output, and a pipe for its messages.
-    class ChildSurroundings
-    {
-    public:
-      explicit ChildSurroundings(const fs::path &folder)
-      {
-        if (::pipe2(pipe_.data(), O_CLOEXEC) != 0)
-          throw std::system_error(errno, std::generic_category());
-        posix_spawn_file_actions_init(&actions_);
-        posix_spawn_file_actions_addchdir_np(&actions_, folder.c_str());
-        posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-        posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-        posix_spawn_file_actions_adddup2(&actions_, pipe_[1], STDERR_FILENO);
-      }
-      ChildSurroundings(const ChildSurroundings &)            = delete;
-      ChildSurroundings &operator=(const ChildSurroundings &) = delete;
-      ~ChildSurroundings()
-      {
-        posix_spawn_file_actions_destroy(&actions_);
-        ::close(pipe_[0]);
-        close_write_end();
-      }
-
-      const posix_spawn_file_actions_t *actions() const { return &actions_; }
-
-      /// Until the child has closed its end.
-      std::string read_messages()
-      {
-        close_write_end();
-        std::string            text;
-        std::array<char, 4096> buffer;
-        for (;;)
-        {
-          const ssize_t n = ::read(pipe_[0], buffer.data(), buffer.size());
-          if (n > 0)
-            text.append(buffer.data(), static_cast<std::size_t>(n));
-          else if (n == 0 || errno != EINTR)
-            return text;
-        }
-      }
-
-    private:
-      void close_write_end()
-      {
-        if (pipe_[1] >= 0)
-          ::close(pipe_[1]);
-        pipe_[1] = -1;
-      }
-
-      std::array<int, 2>         pipe_{-1, -1};
-      posix_spawn_file_actions_t actions_;
-    };
-
-    /// gnuplot without the user's initialisation files. Not through a shell: nothing needs quoting.
-    ProcessResult run_gnuplot(const fs::path &folder, std::vector<std::string> arguments)
-    {
-      arguments.insert(arguments.begin(), {"gnuplot", "--default-settings"});
-      std::vector<char *> argv;
-      for (std::string &argument : arguments)
-        argv.push_back(argument.data());
-      argv.push_back(nullptr);
-
-      ChildSurroundings surroundings(folder);
-      pid_t             child = 0;
-      if (const int error = ::posix_spawnp(&child, "gnuplot", surroundings.actions(), nullptr, argv.data(), environ))
-        return {false, std::generic_category().message(error)};
-      ProcessResult result;
-      result.messages = surroundings.read_messages();
-      int   status    = -1;
-      pid_t ended     = -1;
-      do
-        ended = ::waitpid(child, &status, 0);
-      while (ended < 0 && errno == EINTR);
-      result.succeeded = ended == child && WIFEXITED(status) && WEXITSTATUS(status) == 0;
-      return result;
-    }
+    constexpr std::chrono::seconds version_limit(10);
 
     /// On one line, without the empty lines and the pointer under the offending character.
     std::string one_line(const std::string_view messages)
@@ -186,24 +100,31 @@ namespace swimtwin
     variables.emplace_back(variable, quoted(text));
   }
 
-  bool gnuplot_is_installed()
+  std::optional<GnuplotFault> find_gnuplot_fault()
   {
-    return run_gnuplot(".", {"--version"}).succeeded;
+    const ProcessResult result = run_gnuplot("/", {"--version"}, version_limit);
+    if (result.succeeded)
+      return std::nullopt;
+    if (!result.found)
+      return GnuplotFault{"gnuplot is not installed", "install it with `apt-get install gnuplot-nox`"};
+    return GnuplotFault{fmt::format("`gnuplot --version` fails: {}", one_line(result.messages)),
+                        "put the folder of a gnuplot that works first in PATH"};
   }
 
   void write_gnuplot_files(const fs::path &folder, const GnuplotPicture &picture, const std::string_view origin)
   {
+    fs::remove(folder / (picture.name + ".png")); // it may not show these data
     write_text_atomically(folder / "style.gp", gnuplot_scripts::style);
     write_text_atomically(folder / (picture.name + ".dat"), comment(origin) + picture.table.text());
     write_text_atomically(folder / (picture.name + ".gp"), script_text(picture, origin));
   }
 
-  fs::path draw_png(const fs::path &folder, const std::string &name)
+  fs::path draw_png(const fs::path &folder, const std::string &name, const std::chrono::milliseconds limit)
   {
     const fs::path png = folder / (name + ".png");
     write_atomically(png, [&](const fs::path &partial) {
       const std::string   output = fmt::format("picture='{}'", partial.filename().string());
-      const ProcessResult result = run_gnuplot(folder, {"-e", output, name + ".gp"});
+      const ProcessResult result = run_gnuplot(folder, {"-e", output, name + ".gp"}, limit);
       std::error_code     absent;
       const bool          drawn = fs::file_size(partial, absent) > 0 && !absent;
       if (!result.succeeded || !drawn)

@@ -1,7 +1,9 @@
 // Pictures drawn by gnuplot: a table, a script that a user can restyle and run again, and the PNG.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -37,11 +39,24 @@ namespace swimtwin
     void set_text(const std::string &variable, std::string_view text);
   };
 
-  bool gnuplot_is_installed();
+  /// Why nothing can be drawn, and what to do.
+  struct GnuplotFault
+  {
+    std::string cause, remedy;
+  };
 
-  /// Write style.gp, name.dat and name.gp; `origin` is a comment in each. Throws ComputationError (disk full, ...).
+  /// None where gnuplot answers when asked for its version.
+  std::optional<GnuplotFault> find_gnuplot_fault();
+
+  /// Write style.gp, name.dat and name.gp; `origin` is a comment in each. An earlier name.png is removed. Throws
+  /// ComputationError (disk full, ...).
   void write_gnuplot_files(const std::filesystem::path &folder, const GnuplotPicture &picture, std::string_view origin);
 
-  /// Run name.gp in its folder. Throws ComputationError with gnuplot's message. Returns the PNG.
-  std::filesystem::path draw_png(const std::filesystem::path &folder, const std::string &name);
+  inline constexpr std::chrono::seconds drawing_limit(60);
+
+  /// Run name.gp in its folder. Throws ComputationError with gnuplot's message, or when it does not end within the
+  /// limit. Returns the PNG. The picture depends on its files, on gnuplot and on the fonts of the machine, and not on
+  /// variables or settings of the user.
+  std::filesystem::path draw_png(const std::filesystem::path &folder, const std::string &name,
+                                 std::chrono::milliseconds limit = drawing_limit);
 } // namespace swimtwin

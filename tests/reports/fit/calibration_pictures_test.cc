@@ -54,7 +54,7 @@ namespace swimtwin
 
   TEST(CalibrationPictures, AreAllDrawn)
   {
-    if (!gnuplot_is_installed())
+    if (find_gnuplot_fault())
       GTEST_SKIP() << "gnuplot is not installed";
     const TemporaryFolder folder;
     std::string           warning;
@@ -82,7 +82,7 @@ namespace swimtwin
 
   TEST(CalibrationPictures, UndeterminedFitsCanBeDrawn)
   {
-    if (!gnuplot_is_installed())
+    if (find_gnuplot_fault())
       GTEST_SKIP() << "gnuplot is not installed";
     CalibrationResult result = synthetic_calibration();
     result.covariance.setConstant(std::nan(""));

@@ -51,7 +51,7 @@ namespace swimtwin
 
   TEST(GnuplotFiles, PictureIsAPngAndNothingElseIsLeft)
   {
-    if (!gnuplot_is_installed())
+    if (find_gnuplot_fault())
       GTEST_SKIP() << "gnuplot is not installed";
     const TemporaryFolder folder;
     write_gnuplot_files(folder.path, example_picture("plot data index 0 with lines\n"), "test");
@@ -63,7 +63,7 @@ namespace swimtwin
 
   TEST(GnuplotFiles, FailureTellsWhatGnuplotSaidAndLeavesNoPicture)
   {
-    if (!gnuplot_is_installed())
+    if (find_gnuplot_fault())
       GTEST_SKIP() << "gnuplot is not installed";
     const TemporaryFolder folder;
     write_gnuplot_files(folder.path, example_picture("plot no_such_variable\n"), "test");

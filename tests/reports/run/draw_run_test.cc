@@ -2,6 +2,7 @@
 
 #include <reports/page/gnuplot.h>
 #include <tests/datasets/temporary_folder.h>
+#include <tests/environment_variable.h>
 #include <tests/reports/synthetic_run.h>
 
 #include <algorithm>
@@ -41,22 +42,15 @@ namespace swimtwin
     };
 
     /// No program is found while it lives.
-    class EmptyPath
+    struct EmptyPath
     {
-    public:
-      EmptyPath() { setenv("PATH", "/nowhere", 1); }
-      EmptyPath(const EmptyPath &)            = delete;
-      EmptyPath &operator=(const EmptyPath &) = delete;
-      ~EmptyPath() { setenv("PATH", path_.c_str(), 1); }
-
-    private:
-      const std::string path_ = std::getenv("PATH");
+      const EnvironmentVariable path{"PATH", "/nowhere"};
     };
   } // namespace
 
   TEST_F(DrawRun, SwimmerHasFivePictures)
   {
-    if (!gnuplot_is_installed())
+    if (find_gnuplot_fault())
       GTEST_SKIP() << "gnuplot is not installed";
     const std::vector<fs::path> drawn = draw();
     EXPECT_EQ(warning, "");
@@ -114,7 +108,7 @@ namespace swimtwin
 
   TEST_F(DrawRun, EveryKindOfRunCanBeDrawn)
   {
-    if (!gnuplot_is_installed())
+    if (find_gnuplot_fault())
       GTEST_SKIP() << "gnuplot is not installed";
     const auto expect_drawn = [&](const std::size_t n) {
       EXPECT_EQ(draw().size(), n);

@@ -79,7 +79,7 @@ namespace swimtwin
                                       [](const auto &variable) { return variable.first == "caption"; });
     ASSERT_NE(caption, picture.variables.end());
     expect_in(caption->second, "at 0.8 Hz with E = 50000 Pa, M = 100000 A/m");
-    if (!gnuplot_is_installed())
+    if (find_gnuplot_fault())
       GTEST_SKIP() << "gnuplot is not installed";
     const TemporaryFolder folder;
     for (const std::size_t n_points : {20u, 5u, 1u}) // four curves, one curve, a single point
