@@ -158,9 +158,9 @@ namespace swimtwin
       const PlannedField &best = *plan.find(optimal_field_name);
       if (best.bx_T.empty())
         return;
-      write_field_program(common.output / field_name, sampled_program(drive_of(best), plan.sample_rate_Hz),
-                          fmt::format("{}\n{}: {} ({})\nthe gain is {}", common.command_line, best.name, best.status,
-                                      best.message, plan.confirmation()));
+      write_field_program(
+          common.output / field_name, sampled_program(drive_of(best), plan.sample_rate_Hz),
+          fmt::format("{}: {} ({}); the gain is {}", best.name, best.status, best.message, plan.confirmation()));
     }
 
     bool is_usable(const PlanResult &plan)
@@ -195,7 +195,7 @@ namespace swimtwin
     if (command.check_gradients)
       return;
     if (is_speaker())
-      prepare_output_folder(common.output, {plan_name, field_name, page_name}, common.force);
+      prepare_output_folder(common.output, {plan_name, field_name, field_period_name, page_name}, common.force);
     if (is_speaker() && !common.quiet)
       fmt::print("{}", model_card(model));
     PlanResult plan = make_plan(command, model, scene, file);

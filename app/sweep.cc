@@ -140,11 +140,11 @@ namespace swimtwin
     }
 
     void write_files(const CommonOptions &common, const ReducedModel &model, const std::vector<SweepResult> &results,
-                     const std::vector<FrequencyCurve> &curves, const SweepRecord &record)
+                     const SweepRecord &record)
     {
-      write_sweep_table(common.output / sweep_table_name, results, record);
+      write_sweep_table(common.output / sweep_table_name, results);
       write_sweep_data(common.output / sweep_data_name, results, record);
-      write_sweep_summary(common.output / sweep_summary_name, model, curves, record);
+      write_sweep_summary(common.output / sweep_summary_name, model, results, record);
     }
 
     void draw(const CommonOptions &common, const std::vector<FrequencyCurve> &curves)
@@ -195,7 +195,7 @@ namespace swimtwin
                                                                    record.n_not_computed, record.n_members);
       record.provenance = {current_program_version, common.command_line, scene.text, scene.hash,
                            utc_time_now(),          record.wall_time_s};
-      write_files(common, model, results, curves, record);
+      write_files(common, model, results, record);
       for (const std::string &warning : record.warnings)
         fmt::print(stderr, "swimtwin: warning: {}\n", warning);
       if (curves.empty())

@@ -89,8 +89,7 @@ namespace swimtwin
     record.model_file    = find_model(command.model).string();
     if (command.with_replay)
       make_full_order_plant(scene, {record.goal.steps_per_second, record.goal.carrier.frequency_Hz}); // or refuse now
-    prepare_output_folder(common.output, {track_table_name, track_summary_name, track_field_name, replay_table_name},
-                          common.force);
+    prepare_output_folder(common.output, track_file_names(), common.force);
     if (!common.quiet)
       fmt::print("{}", model_card(model));
     const double start = wall_time_s();

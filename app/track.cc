@@ -118,8 +118,7 @@ namespace swimtwin
     record.goal            = read_tracking_goal(command.goal, model);
     const bool has_replay  = command.with_replay && record.goal.kind == TrackingKind::path;
     const auto replayed_on = has_replay ? full_order_plant(model, record.goal) : nullptr;
-    prepare_output_folder(common.output, {track_table_name, track_summary_name, track_field_name, replay_table_name},
-                          common.force);
+    prepare_output_folder(common.output, track_file_names(), common.force);
     if (!common.quiet)
       fmt::print("{}", model_card(model));
     const double start = wall_time_s();

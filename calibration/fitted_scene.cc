@@ -1,6 +1,7 @@
 #include <calibration/fitted_scene.h>
 
 #include <datasets/error.h>
+#include <datasets/field_period.h>
 #include <datasets/field_program_writer.h>
 #include <datasets/scene_field.h>
 
@@ -87,6 +88,7 @@ namespace swimtwin
     {
       set_field(overrides, data.field, swimmer.field_scale);
       std::filesystem::remove(program);
+      std::filesystem::remove(period_file(program));
     }
     else
     {

@@ -8,7 +8,8 @@
 
 namespace swimtwin
 {
-  inline constexpr const char *fitted_scene_name = "fitted-scene.toml", *fitted_field_name = "fitted-field.csv";
+  inline constexpr const char *fitted_scene_name = "fitted-scene.toml", *fitted_field_name = "fitted-field.csv",
+                              *fitted_field_period_name = "fitted-field.json";
 
   /// The model's scene with the swimmer's stiffness, viscosity, magnetization and lengths, in the field of the data set
   /// at the swimmer's place, at the scene's own frequency. Displacement scale and offset belong to the recording and do

@@ -1,5 +1,6 @@
 #include <datasets/csv_table.h>
 #include <datasets/error.h>
+#include <datasets/field_period.h>
 #include <datasets/field_program.h>
 #include <datasets/median_step.h>
 
@@ -136,16 +137,19 @@ namespace swimtwin
     return field;
   }
 
-  FieldProgram FieldProgram::read_csv(const std::filesystem::path &file, const double period_s)
+  FieldProgram FieldProgram::read_csv(const std::filesystem::path &file, double period_s)
   {
     const CsvTable            table  = CsvTable::read(file);
     const std::vector<double> time_s = table.column("time_s");
     const std::vector<double> bx_T = table.column("bx_T"), by_T = table.column("by_T");
     const std::vector<double> bz_T =
         table.has_column("bz_T") ? table.column("bz_T") : std::vector<double>(time_s.size());
+    if (period_s == 0.)
+      period_s = stated_period_s(file).value_or(0.);
     if (!std::isfinite(period_s) || period_s <= 0.)
-      throw InputError(fmt::format("{}: the program has no period; give [field] period_s as a positive number in s.",
-                                   table.where(table.n_rows())));
+      throw InputError(fmt::format("{}: the program has no period; give [field] period_s as a positive number in s, or "
+                                   "in {} beside it.",
+                                   table.where(table.n_rows()), period_file(file).filename().string()));
     if (const auto problem = find_problem(time_s, period_s))
       throw InputError(fmt::format("{}: {}", table.where(problem->index), problem->sentence));
     std::vector<Vector> b_T;

@@ -26,7 +26,8 @@ namespace swimtwin
     static FieldProgram sampled(std::vector<double> time_s, std::vector<std::array<double, 3>> b_T, double period_s);
     /// Read a CSV `time_s,bx_T,by_T[,bz_T]`. Throws InputError naming file and line for a missing column, a value that
     /// is not a finite number, times that do not increase, and gaps (a step larger than 1.5 times the median step).
-    static FieldProgram read_csv(const std::filesystem::path &file, double period_s);
+    /// Without a period (s), or with zero, it is that of the file beside the program (datasets/field_period.h).
+    static FieldProgram read_csv(const std::filesystem::path &file, double period_s = 0.);
 
     /// The field at time t (s), in T. Before `ramp_s` it is multiplied by t / ramp_s.
     std::array<double, 3> operator()(double time_s) const;

@@ -1,40 +1,41 @@
+#include <datasets/csv_writer.h>
 #include <datasets/error.h>
+#include <datasets/field_period.h>
 #include <datasets/field_program_writer.h>
-#include <datasets/output_folder.h>
+#include <datasets/json_entries.h>
+#include <datasets/provenance.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <sstream>
 
 namespace swimtwin
 {
-  namespace
+  void write_field_samples(const std::filesystem::path &file, const FieldSamples &samples,
+                           const std::string &description)
   {
-    std::string commented(const std::string &text)
+    const auto &b        = samples.b_T;
+    const bool  is_plane = std::all_of(b.begin(), b.end(), [](const auto &v) { return v[2] == 0.; });
+    CsvWriter   table(is_plane ? std::vector<std::string>{"time_s", "bx_T", "by_T"}
+                               : std::vector<std::string>{"time_s", "bx_T", "by_T", "bz_T"});
+    for (std::size_t i = 0; i < b.size(); ++i)
     {
-      std::istringstream lines(text);
-      std::string        result, line;
-      while (std::getline(lines, line))
-        result += "# " + line + "\n";
-      return result;
+      table.cell(samples.time_s[i]).cell(b[i][0]).cell(b[i][1]);
+      if (!is_plane)
+        table.cell(b[i][2]);
+      table.end_row();
     }
-  } // namespace
+    table.save(file);
+    write_json_file(
+        period_file(file),
+        {{"period_s", samples.period_s}, {"description", description}, {"table_sha256", digest(table.text())}});
+  }
 
-  void write_field_program(const std::filesystem::path &file, const FieldProgram &program, const std::string &comment)
+  void write_field_program(const std::filesystem::path &file, const FieldProgram &program,
+                           const std::string &description)
   {
     if (program.waveform() != FieldProgram::Waveform::sampled)
       throw InputError(fmt::format("{}: only a sampled field can be written as a field program.", file.string()));
-    const auto &b        = program.b_T();
-    const bool  is_plane = std::all_of(b.begin(), b.end(), [](const auto &v) { return v[2] == 0.; });
-    std::string text     = commented(comment);
-    text += fmt::format("# period_s = {:.17g}\n", program.period_s());
-    text += is_plane ? "time_s,bx_T,by_T\n" : "time_s,bx_T,by_T,bz_T\n";
-    for (std::size_t i = 0; i < b.size(); ++i)
-    {
-      text += fmt::format("{:.17g},{:.17g},{:.17g}", program.time_s()[i], b[i][0], b[i][1]);
-      text += is_plane ? "\n" : fmt::format(",{:.17g}\n", b[i][2]);
-    }
-    write_text_atomically(file, text);
+    write_field_samples(file, {program.time_s(), program.b_T(), program.period_s()}, description);
   }
 } // namespace swimtwin

@@ -1,4 +1,5 @@
 #include <datasets/csv_table.h>
+#include <datasets/field_period.h>
 #include <datasets/observation_sidecar.h>
 #include <datasets/toml_table.h>
 
@@ -73,14 +74,15 @@ namespace swimtwin
       std::string program;
       double      period_s = 0.;
       table.text("program", program);
-      table.number("period_s", {"s", positive, Need::required}, period_s);
+      const std::filesystem::path file = sidecar.file.parent_path() / program;
+      const Need                  need = std::filesystem::exists(period_file(file)) ? Need::optional : Need::required;
+      table.number("period_s", {"s", positive, need}, period_s);
       for (const char *other : {"bx_T", "by_T"})
         if (table.has(other))
           problems.error(document.sentence("field", other,
                                            "contradicts the program; keep one of them, bx_T and by_T or program."));
       if (table.problems().empty())
-        problems.attempt(
-            [&] { sidecar.field = FieldProgram::read_csv(sidecar.file.parent_path() / program, period_s); });
+        problems.attempt([&] { sidecar.field = FieldProgram::read_csv(file, period_s); });
     }
 
     void read_field(const TomlDocument &document, ObservationSidecar &sidecar, DataProblems &problems)

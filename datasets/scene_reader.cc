@@ -1,5 +1,6 @@
 #include <datasets/csv_table.h>
 #include <datasets/error.h>
+#include <datasets/field_period.h>
 #include <datasets/provenance.h>
 #include <datasets/scene.h>
 #include <datasets/scene_names.h>
@@ -168,6 +169,15 @@ namespace swimtwin
       return std::filesystem::path(program).is_absolute() ? std::filesystem::path(program) : folder / program;
     }
 
+    /// From the file beside the program into the scene, which has to say by itself what was played; 0 without one.
+    double take_over_stated_period(TomlDocument &document, const std::filesystem::path &program)
+    {
+      const std::optional<double> period_s = stated_period_s(program);
+      if (period_s)
+        document.set_number("field", "period_s", *period_s);
+      return period_s.value_or(0.);
+    }
+
     FieldProgram read_field(TomlDocument &document, const std::filesystem::path &folder)
     {
       TomlTable              table(document, "field");
@@ -185,13 +195,15 @@ namespace swimtwin
       table.finish();
       if (!table.present())
         return {};
+      const std::filesystem::path file = program_path(program, folder);
+      if (table.has("program") && !table.has("period_s"))
+        period_s = take_over_stated_period(document, file);
       check_field_entries(document);
 
       FieldProgram field;
       if (table.has("program"))
       {
-        const std::filesystem::path file   = program_path(program, folder);
-        const std::string           actual = digest(read_text_file(file, "the field program"));
+        const std::string actual = digest(read_text_file(file, "the field program"));
         if (!program_digest.empty() && program_digest != actual)
           document.refuse("field", "program",
                           "has changed since this scene was written; remove program_sha256 to use the new content.");

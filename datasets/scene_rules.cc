@@ -268,7 +268,9 @@ namespace swimtwin
       for (const char *key : {"waveform", "bx_T", "by_T", "frequency_Hz"})
         refuse_entry(document, "field", key,
                      "does not go with a program, which gives the whole field; remove one of both.");
-      return need_entry(document, "field", "period_s", "a program needs the period after which it repeats, in s");
+      return need_entry(
+          document, "field", "period_s",
+          "a program needs the period after which it repeats, in s, here or in NAME.json beside NAME.csv");
     }
     for (const char *key : {"period_s", "program_sha256"})
       refuse_entry(document, "field", key, "goes with a program only; remove it, or add program = \"file.csv\".");

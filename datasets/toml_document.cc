@@ -143,6 +143,11 @@ namespace swimtwin
     root_.get(table)->as_table()->insert_or_assign(key, value);
   }
 
+  void TomlDocument::set_number(const std::string &table, const std::string &key, const double value)
+  {
+    root_.get(table)->as_table()->insert_or_assign(key, value);
+  }
+
   std::string TomlDocument::text() const
   {
     std::ostringstream stream;

@@ -19,8 +19,9 @@ namespace swimtwin
 
     /// The entry at a dotted path, or nullptr; a number steps into an array. The empty path is the whole document.
     const toml::node *find(const std::string &path) const;
-    /// Add or replace a text entry of an existing table.
+    /// Add or replace an entry of an existing table.
     void set_text(const std::string &table, const std::string &key, const std::string &value);
+    void set_number(const std::string &table, const std::string &key, double value);
 
     /// The content after overrides, serialised: stable, without comments.
     std::string text() const;

@@ -1,6 +1,6 @@
 #include <datasets/csv_table.h>
+#include <datasets/csv_writer.h>
 #include <datasets/error.h>
-#include <datasets/output_folder.h>
 #include <datasets/trajectory.h>
 
 #include <fmt/format.h>
@@ -61,17 +61,13 @@ namespace swimtwin
           column.member);
     }
 
-    std::string csv_line(const TrajectoryRow &row)
+    void require_finite_numbers(const std::filesystem::path &file, const Trajectory &trajectory)
     {
-      std::vector<std::string> cells;
-      for (const Column &column : columns)
-      {
-        const double value = value_of(row, column);
-        if (!std::isfinite(value))
-          throw ComputationError(fmt::format("{} at time {} s is not a finite number", column.name, row.time_s));
-        cells.push_back(fmt::format("{:.17g}", value));
-      }
-      return fmt::format("{}\n", fmt::join(cells, ","));
+      for (const TrajectoryRow &row : trajectory)
+        for (const Column &column : columns)
+          if (!std::isfinite(value_of(row, column)))
+            throw ComputationError(fmt::format("cannot write {}: {} at time {} s is not a finite number", file.string(),
+                                               column.name, row.time_s));
     }
 
     double integrate(const std::span<const TrajectoryRow> rows, double (*const rate)(const TrajectoryRow &))
@@ -152,20 +148,11 @@ namespace swimtwin
 
   void write_trajectory_csv(const std::filesystem::path &file, const Trajectory &trajectory)
   {
-    std::vector<std::string> names;
+    require_finite_numbers(file, trajectory);
+    std::vector<CsvColumn<TrajectoryRow>> cells;
     for (const Column &column : columns)
-      names.emplace_back(column.name);
-    std::string text = fmt::format("{}\n", fmt::join(names, ","));
-    try
-    {
-      for (const TrajectoryRow &row : trajectory)
-        text += csv_line(row);
-    }
-    catch (const ComputationError &error)
-    {
-      throw ComputationError(fmt::format("cannot write {}: {}", file.string(), error.what()));
-    }
-    write_text_atomically(file, text);
+      cells.push_back({column.name, [&column](const TrajectoryRow &row) { return value_of(row, column); }});
+    csv_table(cells, trajectory).save(file);
   }
 
   Trajectory read_trajectory_csv(const std::filesystem::path &file)

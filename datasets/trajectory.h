@@ -53,7 +53,8 @@ namespace swimtwin
   /// `initial_angle_rad` fixes the head-first direction -(cos, sin). Needs rows at every multiple of the period.
   void summarize_motion(const Trajectory &trajectory, double period_s, double initial_angle_rad, RunSummary &summary);
 
-  /// CSV with a header line of the field names above, 17 significant digits. Written to a temporary name, then renamed.
+  /// CSV with a header line of the field names above; the numbers read back the same. ComputationError for a number
+  /// that is not finite.
   void       write_trajectory_csv(const std::filesystem::path &file, const Trajectory &trajectory);
   Trajectory read_trajectory_csv(const std::filesystem::path &file);
 } // namespace swimtwin

@@ -53,7 +53,7 @@ namespace swimtwin
       if (is_speaker())
       {
         std::filesystem::create_directories(folder);
-        write_field_program(file, sampled_program(drive, samples_per_s), common.command_line);
+        write_field_program(file, sampled_program(drive, samples_per_s), field.name + ", as it was replayed");
       }
       MPI_Barrier(MPI_COMM_WORLD);
       ReplayedField replayed;

@@ -11,7 +11,8 @@
 
 namespace swimtwin
 {
-  inline constexpr const char *plan_name = "plan.json", *field_name = "field.csv", *motion_folder_name = "motion";
+  inline constexpr const char *plan_name = "plan.json", *field_name = "field.csv", *field_period_name = "field.json",
+                              *motion_folder_name = "motion";
 
   /// "optimal-field" for "optimal field".
   std::string file_name(const std::string &name);

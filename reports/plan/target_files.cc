@@ -1,11 +1,9 @@
 #include <reports/plan/target_files.h>
 
-#include <datasets/output_folder.h>
+#include <datasets/csv_writer.h>
 #include <reports/plan/track_files.h>
 
 #include <fmt/format.h>
-
-#include <iterator>
 
 namespace swimtwin
 {
@@ -45,12 +43,16 @@ namespace swimtwin
 
   void write_swim_table(const std::filesystem::path &file, const std::vector<TargetInstant> &swim)
   {
-    std::string text = "time_s,head_x_m,head_y_m,head_angle_rad,distance_m,bx_T,by_T\n";
-    for (const TargetInstant &i : swim)
-      fmt::format_to(std::back_inserter(text), "{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},{:.10g}\n", i.time_s,
-                     i.pose.position_m.x(), i.pose.position_m.y(), i.pose.angle_rad, i.distance_m, i.field_T.x(),
-                     i.field_T.y());
-    write_text_atomically(file, text);
+    using Row                                              = const TargetInstant &;
+    static const std::vector<CsvColumn<TargetInstant>> all = {
+        {"time_s", [](Row r) { return r.time_s; }},
+        {"head_x_m", [](Row r) { return r.pose.position_m.x(); }},
+        {"head_y_m", [](Row r) { return r.pose.position_m.y(); }},
+        {"head_angle_rad", [](Row r) { return r.pose.angle_rad; }},
+        {"distance_m", [](Row r) { return r.distance_m; }},
+        {"bx_T", [](Row r) { return r.field_T.x(); }},
+        {"by_T", [](Row r) { return r.field_T.y(); }}};
+    csv_table(all, swim).save(file);
   }
 
   void write_target_summary(const std::filesystem::path &file, const TargetRecord &record)

@@ -14,7 +14,7 @@ namespace swimtwin
   namespace
   {
 
-    constexpr std::string_view way_script = R"gp(
+    constexpr std::string_view target_way_script = R"gp(
 left = 0.105; right = 0.965; top = 0.835; bottom = 0.115
 eval(panel)
 eval(one_scale)
@@ -25,7 +25,7 @@ plot data index 0 using 1:2 with lines lw 3 lc rgb '#f3c98b' title 'target', \
      data index 1 using 1:2 with lines lw 1 lc rgb head_color title 'head'
 )gp";
 
-    constexpr std::string_view course_script = R"gp(
+    constexpr std::string_view target_course_script = R"gp(
 set multiplot
 left = 0.105; right = 0.965
 set xrange [0:t_max]
@@ -58,7 +58,7 @@ unset multiplot
     {
       GnuplotPicture picture;
       picture.name   = "way";
-      picture.script = way_script;
+      picture.script = target_way_script;
       picture.set_text("heading", "The way to a target");
       picture.set_text("caption", finding(record));
       picture.set_flag("has_replay", record.replay.has_value());
@@ -88,7 +88,7 @@ unset multiplot
     {
       GnuplotPicture picture;
       picture.name   = "course";
-      picture.script = course_script;
+      picture.script = target_course_script;
       picture.set_text("heading", "Distance from the target, and field");
       picture.set_text("caption",
                        fmt::format("{} periods at {} Hz; straight on and not turned, the carrier takes {} s",

@@ -1,27 +1,20 @@
 #include <reports/plan/track_files.h>
 
-#include <datasets/output_folder.h>
+#include <datasets/csv_writer.h>
+#include <datasets/field_program_writer.h>
 
 #include <fmt/format.h>
 
 #include <cmath>
-#include <functional>
-#include <iterator>
 
 namespace swimtwin
 {
   namespace
   {
-    struct Column
+    const std::vector<CsvColumn<TrackedInstant>> &columns()
     {
-      const char                                   *name;
-      std::function<double(const TrackedInstant &)> value;
-    };
-
-    const std::vector<Column> &columns()
-    {
-      using Row                            = const TrackedInstant &;
-      static const std::vector<Column> all = {
+      using Row                                               = const TrackedInstant &;
+      static const std::vector<CsvColumn<TrackedInstant>> all = {
           {"time_s", [](Row r) { return r.time_s; }},
           {"head_x_m", [](Row r) { return r.pose.position_m.x(); }},
           {"head_y_m", [](Row r) { return r.pose.position_m.y(); }},
@@ -78,33 +71,29 @@ namespace swimtwin
     }
   } // namespace
 
+  std::vector<std::string> track_file_names()
+  {
+    return {track_table_name, track_summary_name, track_field_name, track_field_period_name, replay_table_name};
+  }
+
   void write_track_table(const std::filesystem::path &file, const TrackResult &result)
   {
-    std::string text;
-    for (const Column &column : columns())
-      text += fmt::format("{}{}", text.empty() ? "" : ",", column.name);
-    for (const TrackedInstant &instant : result.instants)
-    {
-      std::string row;
-      for (const Column &column : columns())
-        row += fmt::format("{}{:.10g}", row.empty() ? "" : ",", column.value(instant));
-      text += "\n" + row;
-    }
-    write_text_atomically(file, text + "\n");
+    csv_table(columns(), result.instants).save(file);
   }
 
   void write_steered_field(const std::filesystem::path &file, const SteeringPlan &plan, const double n_periods,
                            const double sample_rate_Hz)
   {
-    const double f = plan.carrier.frequency_Hz, end_s = n_periods / f;
-    std::string  text = fmt::format("# period_s = {:.17g}: played once, from rest\ntime_s,bx_T,by_T\n", end_s);
+    const double                       f = plan.carrier.frequency_Hz, end_s = n_periods / f;
+    std::vector<double>                time_s;
+    std::vector<std::array<double, 3>> b_T;
     for (long i = 0; static_cast<double>(i) / sample_rate_Hz < end_s - 1e-9; ++i)
     {
-      const double          time = static_cast<double>(i) / sample_rate_Hz;
-      const Eigen::Vector2d b    = plan.field_T(time * f);
-      fmt::format_to(std::back_inserter(text), "{:.10g},{:.9g},{:.9g}\n", time, b.x(), b.y());
+      time_s.push_back(static_cast<double>(i) / sample_rate_Hz);
+      const Eigen::Vector2d b = plan.field_T(time_s.back() * f);
+      b_T.push_back({b.x(), b.y(), 0.});
     }
-    write_text_atomically(file, text);
+    write_field_samples(file, {time_s, b_T, end_s}, "played once, from rest");
   }
 
   void write_track_summary(const std::filesystem::path &file, const TrackRecord &record)

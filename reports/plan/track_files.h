@@ -13,7 +13,11 @@
 namespace swimtwin
 {
   inline constexpr const char *track_table_name = "track.csv", *track_summary_name = "track.json",
-                              *track_field_name = "field.csv", *replay_table_name = "replay.csv";
+                              *track_field_name = "field.csv", *track_field_period_name = "field.json",
+                              *replay_table_name = "replay.csv";
+
+  /// All that `track` writes beside pictures, to be refused or replaced.
+  std::vector<std::string> track_file_names();
 
   struct TrackRecord
   {
@@ -39,7 +43,7 @@ namespace swimtwin
 
   /// One row per decision.
   void write_track_table(const std::filesystem::path &file, const TrackResult &result);
-  /// The field as the coils play it, from rest to the end.
+  /// The field as the coils play it, from rest to the end: a field program that is played once.
   void write_steered_field(const std::filesystem::path &file, const SteeringPlan &plan, double n_periods,
                            double sample_rate_Hz);
   void write_track_summary(const std::filesystem::path &file, const TrackRecord &record);

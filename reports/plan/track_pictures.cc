@@ -14,7 +14,7 @@ namespace swimtwin
   namespace
   {
 
-    constexpr std::string_view path_script = R"gp(
+    constexpr std::string_view track_path_script = R"gp(
 left = 0.105; right = 0.965; top = 0.835; bottom = 0.115
 eval(panel)
 eval(one_scale)
@@ -26,7 +26,7 @@ plot data index 1 using 1:2 with lines lw 0.8 lc rgb pale_color title 'head', \
      data index 1 using 3:4 with lines lw 2 lc rgb head_color title 'mean over a period'
 )gp";
 
-    constexpr std::string_view course_script = R"gp(
+    constexpr std::string_view track_course_script = R"gp(
 set multiplot
 left = 0.105; right = 0.965
 set xrange [t_min:t_max]
@@ -67,7 +67,7 @@ unset multiplot
     {
       GnuplotPicture picture;
       picture.name   = "path";
-      picture.script = path_script;
+      picture.script = track_path_script;
       picture.set_text("heading", "Led along a path");
       picture.set_text("caption", finding(record));
       picture.set_flag("has_replay", record.replay.has_value());
@@ -97,7 +97,7 @@ unset multiplot
       const TrackResult &r = record.result;
       GnuplotPicture     picture;
       picture.name   = "course";
-      picture.script = course_script;
+      picture.script = track_course_script;
       picture.set_text("heading", "Distance from the path, field and decisions");
       picture.set_text("caption", fmt::format("{} decisions of {} ms on average, {} ms at most; {} came too late",
                                               r.n_decisions, plain_number(ms * r.mean_decision_s, 2),

@@ -1,11 +1,12 @@
 #include <reports/sweep/sweep_files.h>
 
+#include <datasets/csv_writer.h>
 #include <datasets/hdf5_file.h>
 #include <datasets/hdf5_provenance.h>
-#include <datasets/output_folder.h>
+#include <datasets/json_entries.h>
+#include <datasets/text_line.h>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -42,37 +43,34 @@ namespace swimtwin
       return all;
     }
 
-    /// Empty for what is not known.
-    std::string cell(const double value)
-    {
-      return std::isfinite(value) ? fmt::format("{:.17g}", value) : "";
-    }
-
-    /// Without the table's separator.
     std::string note(const SweepResult &result)
     {
       std::string text = result.trust.text();
       if (!result.note.empty())
         text += fmt::format("{}{}", text.empty() ? "" : "; ", result.note);
-      std::replace(text.begin(), text.end(), ',', ';');
       return text.empty() ? "ok" : text;
     }
 
-    std::string row(const SweepResult &result)
+    /// The members that were not computed, and why.
+    Json failures_json(const std::vector<SweepResult> &results)
     {
-      std::string line;
-      for (const Column &column : columns())
-        line += fmt::format("{},", cell(column.value(result)));
-      return fmt::format("{}{}\n", line, note(result));
+      Json failures = Json::array();
+      for (const SweepResult &result : results)
+        if (!was_computed(result))
+        {
+          const auto &[parameters, bx_T, by_T, frequency_Hz] = result.member;
+          failures.push_back({{"young_modulus_Pa", parameters.young_modulus_Pa},
+                              {"viscosity_Pa_s", parameters.viscosity_Pa_s},
+                              {"magnetization_A_m", parameters.magnetization_A_m},
+                              {"bx_T", bx_T},
+                              {"by_T", by_T},
+                              {"frequency_Hz", frequency_Hz},
+                              {"note", result.note}});
+        }
+      return failures;
     }
 
-    std::string failure_line(const SweepResult &result)
-    {
-      return fmt::format("# not computed: young_modulus_Pa {}, frequency_Hz {}: {}\n",
-                         result.member.parameters.young_modulus_Pa, result.member.frequency_Hz, result.note);
-    }
-
-    nlohmann::ordered_json range_json(const TrainedRange &range)
+    Json range_json(const TrainedRange &range)
     {
       const auto pair = [](const Interval &interval) { return std::vector<double>{interval.low, interval.high}; };
       return {{"young_modulus_Pa", pair(range.young_modulus_Pa)},
@@ -83,9 +81,9 @@ namespace swimtwin
               {"by_T", pair(range.by_T)}};
     }
 
-    nlohmann::ordered_json model_json(const ReducedModel &model, const SweepRecord &record)
+    Json model_json(const ReducedModel &model, const SweepRecord &record)
     {
-      auto runs = nlohmann::ordered_json::array();
+      auto runs = Json::array();
       for (const HeldOutRun &run : model.record.held_out_runs)
         runs.push_back({{"young_modulus_Pa", run.young_modulus_Pa},
                         {"magnetization_A_m", run.magnetization_A_m},
@@ -116,19 +114,20 @@ namespace swimtwin
     return frequency_curves(points);
   }
 
-  void write_sweep_table(const std::filesystem::path &file, const std::vector<SweepResult> &results,
-                         const SweepRecord &record)
+  void write_sweep_table(const std::filesystem::path &file, const std::vector<SweepResult> &results)
   {
-    std::string text =
-        fmt::format("# {}, {}\n# {}\n# model {}, {} modes; scene {}\n", record.provenance.program_version,
-                    record.provenance.created, record.provenance.command_line, record.model_file, record.n_modes,
-                    record.provenance.scene_hash);
+    std::vector<std::string> names;
     for (const Column &column : columns())
-      text += fmt::format("{},", column.name);
-    text += "note\n";
+      names.emplace_back(column.name);
+    names.insert(names.end(), {"status", "note"});
+    CsvWriter table(names);
     for (const SweepResult &result : results)
-      text += was_computed(result) ? row(result) : failure_line(result);
-    write_text_atomically(file, text);
+    {
+      for (const Column &column : columns())
+        table.cell(column.value(result));
+      table.cell(was_computed(result) ? "completed" : "failed").cell(note(result)).end_row();
+    }
+    table.save(file);
   }
 
   void write_sweep_data(const std::filesystem::path &file, const std::vector<SweepResult> &results,
@@ -144,7 +143,7 @@ namespace swimtwin
     };
     std::string notes;
     for (const SweepResult &result : results)
-      notes += fmt::format("{}\n", note(result));
+      notes += text_line(note(result)) + "\n";
     std::for_each(columns().begin(), columns().end(), add);
     add({"largest_multiplier", "1", "largest Floquet multiplier of the periodic motion, in size",
          [](const SweepResult &r) { return r.largest_multiplier; }});
@@ -155,32 +154,25 @@ namespace swimtwin
   }
 
   void write_sweep_summary(const std::filesystem::path &file, const ReducedModel &model,
-                           const std::vector<FrequencyCurve> &curves, const SweepRecord &record)
+                           const std::vector<SweepResult> &results, const SweepRecord &record)
   {
-    auto peaks = nlohmann::ordered_json::array();
-    for (const FrequencyCurve &curve : curves)
+    auto peaks = Json::array();
+    for (const FrequencyCurve &curve : curves_of(results))
       peaks.push_back({{"curve", curve.name},
                        {"frequency_Hz", curve.peak().frequency_Hz},
                        {"displacement_m", curve.peak().displacement_m},
                        {"at_end_of_curve", curve.peaks_at_its_end()}});
-    const Provenance            &origin = record.provenance;
-    const nlohmann::ordered_json json   = {{"status", record.status},
-                                           {"n_members", record.n_members},
-                                           {"n_outside_trained_range", record.n_outside_trained_range},
-                                           {"n_not_computed", record.n_not_computed},
-                                           {"n_threads", record.n_threads},
-                                           {"wall_time_s", record.wall_time_s},
-                                           {"cpu_time_s", record.cpu_time_s},
-                                           {"peaks", peaks},
-                                           {"warnings", record.warnings},
-                                           {"model", model_json(model, record)},
-                                           {"provenance",
-                                            {{"program_version", origin.program_version},
-                                             {"command_line", origin.command_line},
-                                             {"scene_text", origin.scene_text},
-                                             {"scene_hash", origin.scene_hash},
-                                             {"created", origin.created},
-                                             {"wall_time_s", origin.wall_time_s}}}};
-    write_text_atomically(file, json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+    write_json_file(file, {{"status", record.status},
+                           {"n_members", record.n_members},
+                           {"n_outside_trained_range", record.n_outside_trained_range},
+                           {"n_not_computed", record.n_not_computed},
+                           {"not_computed", failures_json(results)},
+                           {"n_threads", record.n_threads},
+                           {"wall_time_s", record.wall_time_s},
+                           {"cpu_time_s", record.cpu_time_s},
+                           {"peaks", peaks},
+                           {"warnings", record.warnings},
+                           {"model", model_json(model, record)},
+                           {"provenance", json_of(record.provenance)}});
   }
 } // namespace swimtwin

@@ -26,14 +26,14 @@ namespace swimtwin
   inline constexpr const char *sweep_table_name = "displacement_frequency.csv", *sweep_data_name = "sweep.h5",
                               *sweep_summary_name = "sweep.json";
 
-  /// One row per member that was computed; the others are comment lines that say why not.
-  void write_sweep_table(const std::filesystem::path &file, const std::vector<SweepResult> &results,
-                         const SweepRecord &record);
+  /// One row per member. A number that was not found has an empty cell; the columns status ("completed", "failed") and
+  /// note say why.
+  void write_sweep_table(const std::filesystem::path &file, const std::vector<SweepResult> &results);
   /// Everything of every member; NaN where a displacement was not found.
   void write_sweep_data(const std::filesystem::path &file, const std::vector<SweepResult> &results,
                         const SweepRecord &record);
   void write_sweep_summary(const std::filesystem::path &file, const ReducedModel &model,
-                           const std::vector<FrequencyCurve> &curves, const SweepRecord &record);
+                           const std::vector<SweepResult> &results, const SweepRecord &record);
 
   /// Whether the displacement of the last period is there.
   bool was_computed(const SweepResult &result);

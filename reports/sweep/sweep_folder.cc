@@ -1,6 +1,8 @@
 #include <reports/sweep/sweep_folder.h>
 
 #include <datasets/error.h>
+#include <datasets/json_entries.h>
+#include <reports/sweep/sweep_files.h>
 
 #include <fmt/format.h>
 
@@ -48,12 +50,47 @@ namespace swimtwin
       return comments;
     }
 
+    SweepOrigin read_origin(const fs::path &file)
+    {
+      const Json  json = Json::parse(read_text_file(file, "the summary of the sweep"), nullptr, false);
+      SweepOrigin origin;
+      try
+      {
+        read_entry(json, "provenance", origin.provenance);
+        const Json model = json.value("model", Json());
+        read_entry(model, "file", origin.model_file);
+        read_entry(model, "n_modes", origin.n_modes);
+      }
+      catch (const InputError &problem)
+      {
+        throw InputError(fmt::format("{} {}; it is not a summary of swimtwin sweep: run it again, or remove the file.",
+                                     file.string(), problem.what()));
+      }
+      return origin;
+    }
+
+    /// Per row; none for a member that was not computed, whose cell is empty.
+    std::vector<std::optional<double>> displacements_of(const CsvTable &table)
+    {
+      constexpr auto name  = "displacement_m";
+      const auto    &names = table.column_names();
+      const auto     index = static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+      std::vector<std::optional<double>> displacements;
+      for (std::size_t i = 0; i < table.n_rows(); ++i)
+      {
+        displacements.push_back(table.number(i, name)); // refuses a table without the column
+        if (const std::string &cell = table.cells(i)[index]; !displacements.back() && !cell.empty())
+          throw InputError(fmt::format("{}: {} = \"{}\" is not a finite number.", table.where(i), name, cell));
+      }
+      return displacements;
+    }
+
     std::vector<SweepPoint> points_of(const CsvTable &table, const fs::path &file)
     {
       if (table.n_rows() == 0)
         throw InputError(fmt::format("{} has a header and no rows; run the sweep again.", file.string()));
-      const auto moduli = table.column("young_modulus_Pa"), frequencies = table.column("frequency_Hz"),
-                 displacements   = table.column("displacement_m");
+      const auto moduli = table.column("young_modulus_Pa"), frequencies = table.column("frequency_Hz");
+      const auto displacements   = displacements_of(table);
       const auto column_or_zeros = [&](const char *name) {
         return table.has_column(name) ? table.column(name) : std::vector<double>(table.n_rows(), 0.);
       };
@@ -61,8 +98,9 @@ namespace swimtwin
                  bx = column_or_zeros("bx_T"), by = column_or_zeros("by_T");
       std::vector<SweepPoint> points;
       for (std::size_t i = 0; i < table.n_rows(); ++i)
-        points.push_back(
-            {moduli[i], magnetizations[i], frequencies[i], displacements[i], viscosities[i], bx[i], by[i]});
+        if (displacements[i])
+          points.push_back(
+              {moduli[i], magnetizations[i], frequencies[i], *displacements[i], viscosities[i], bx[i], by[i]});
       return points;
     }
 
@@ -94,11 +132,15 @@ namespace swimtwin
     sweep.name = folder_name(folder);
     for (const fs::path &run_folder : run_folders_in(folder))
       sweep.runs.push_back({run_folder, read_run_record(run_folder)});
-    if (const fs::path file = folder / "displacement_frequency.csv"; fs::exists(file))
+    if (const fs::path file = folder / sweep_table_name; fs::exists(file))
     {
-      sweep.table    = CsvTable::read(file);
-      sweep.comments = comment_lines(file);
-      sweep.curves   = frequency_curves(points_of(*sweep.table, file));
+      sweep.table                          = CsvTable::read(file);
+      sweep.comments                       = comment_lines(file);
+      const std::vector<SweepPoint> points = points_of(*sweep.table, file);
+      sweep.n_not_computed                 = sweep.table->n_rows() - points.size();
+      sweep.curves                         = frequency_curves(points);
+      if (const fs::path summary = folder / sweep_summary_name; fs::exists(summary))
+        sweep.origin = read_origin(summary);
     }
     else if (const auto points = points_of(sweep.runs); frequencies_differ(points))
       sweep.curves = frequency_curves(points);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <datasets/csv_table.h>
+#include <datasets/provenance.h>
 #include <reports/run/run_folder.h>
 #include <reports/sweep/frequency_curves.h>
 
@@ -18,12 +19,22 @@ namespace swimtwin
     RunFolder             run; ///< its record and scene only
   };
 
+  /// What the rows of a table come from.
+  struct SweepOrigin
+  {
+    std::string model_file;
+    int         n_modes = 0;
+    Provenance  provenance;
+  };
+
   struct SweepFolder
   {
-    std::string             name;
-    std::optional<CsvTable> table;    ///< displacement_frequency.csv
-    std::string             comments; ///< of the table: the lines that start with #
-    std::vector<SweepRun>   runs;     ///< by name
+    std::string                name;
+    std::optional<CsvTable>    table;              ///< displacement_frequency.csv
+    std::size_t                n_not_computed = 0; ///< rows of the table without a displacement
+    std::string                comments;           ///< of the table: the lines that start with #
+    std::optional<SweepOrigin> origin;             ///< of the table, as sweep.json has it
+    std::vector<SweepRun>      runs;               ///< by name
     std::vector<FrequencyCurve>
         curves; ///< of the table; without one of the completed runs, if their frequencies differ
   };

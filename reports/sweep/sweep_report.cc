@@ -2,7 +2,7 @@
 
 #include <reports/page/number_text.h>
 #include <reports/page/shown_units.h>
-#include <reports/run/run_picture.h>
+#include <reports/run/run_tables.h>
 
 #include <fmt/format.h>
 
@@ -25,7 +25,10 @@ namespace swimtwin
     {
       const auto n_runs = static_cast<std::ptrdiff_t>(sweep.runs.size());
       const auto n_done = std::count_if(sweep.runs.begin(), sweep.runs.end(), has_swum);
-      if (n_runs == 0)
+      if (sweep.n_not_computed > 0)
+        page.add_verdict(Verdict::bad, fmt::format("{} of {} rows were not computed; the column note says why",
+                                                   sweep.n_not_computed, sweep.table->n_rows()));
+      else if (n_runs == 0)
         page.add_verdict(Verdict::good, fmt::format("{} rows, {} curves", sweep.table->n_rows(), sweep.curves.size()));
       else
         page.add_verdict(n_done == n_runs ? Verdict::good : Verdict::bad,
@@ -103,6 +106,14 @@ namespace swimtwin
       if (!sweep.comments.empty())
         page.add_preformatted(sweep.comments);
     }
+
+    void add_origin(HtmlPage &page, const SweepOrigin &origin)
+    {
+      HtmlTable table = provenance_table(origin.provenance);
+      table.rows.push_back({{"reduced model"}, {fmt::format("{}, {} modes", origin.model_file, origin.n_modes)}});
+      page.add_heading("Provenance");
+      page.add_table(table);
+    }
   } // namespace
 
   HtmlPage sweep_page(const SweepFolder &sweep, const Illustrations &illustrations, const fs::path &page_folder)
@@ -116,6 +127,8 @@ namespace swimtwin
       add_runs(page, sweep, page_folder);
     if (sweep.table)
       add_rows(page, sweep);
+    if (sweep.origin && sweep.comments.empty()) // older tables say it themselves
+      add_origin(page, *sweep.origin);
     return page;
   }
 } // namespace swimtwin

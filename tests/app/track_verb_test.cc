@@ -59,9 +59,10 @@ namespace swimtwin
   TEST_F(TrackVerb, FieldIsAProgramThatCanBePlayed)
   {
     ASSERT_EQ(track(line, {"--quiet"}).code, 0);
-    const CsvTable table = CsvTable::read(folder.path / "results/field.csv");
-    const double   end   = table.column("time_s").back() + 0.02;
-    EXPECT_EQ(FieldProgram::read_csv(folder.path / "results/field.csv", end).b_T().size(), table.n_rows());
+    const CsvTable     table = CsvTable::read(folder.path / "results/field.csv");
+    const FieldProgram field = FieldProgram::read_csv(folder.path / "results/field.csv");
+    EXPECT_NEAR(field.period_s(), table.column("time_s").back() + 0.02, 1e-9);
+    EXPECT_EQ(field.b_T().size(), table.n_rows());
   }
 
   TEST_F(TrackVerb, SwimsToATarget)

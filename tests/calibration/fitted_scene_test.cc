@@ -63,10 +63,12 @@ namespace swimtwin
         EXPECT_NEAR(scene.field(phase * scene.field.period_s())[i],
                     1.25 * at_its_frequency(phase * own.field.period_s())[i], 1e-15);
     EXPECT_EQ(scene.tail->young_modulus_Pa, 7e4);
+    EXPECT_EQ(FieldProgram::read_csv(folder.path / fitted_field_name).period_s(), scene.field.period_s());
 
     data.field = FieldProgram::sinusoidal(4e-3, 6e-3, 1.); // again, with other data: nothing old is left
     EXPECT_EQ(written().field.waveform(), FieldProgram::Waveform::sinusoidal);
     EXPECT_FALSE(std::filesystem::exists(folder.path / fitted_field_name));
+    EXPECT_FALSE(std::filesystem::exists(folder.path / fitted_field_period_name));
   }
 
   TEST_F(FittedScene, ScalesEveryLength)

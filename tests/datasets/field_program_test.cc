@@ -1,5 +1,6 @@
 #include <datasets/error.h>
 #include <datasets/field_program.h>
+#include <datasets/field_program_writer.h>
 #include <tests/datasets/temporary_folder.h>
 
 #include <cmath>
@@ -79,6 +80,47 @@ namespace swimtwin
     for (const double t : {0.1, 0.6, 1.2, 1.9})
       for (const int k : {-2, 1, 5})
         EXPECT_NEAR(field(t + 2. * k)[1], field(t)[1], 1e-14);
+  }
+
+  TEST(FieldProgram, TakesThePeriodFromTheFileBesideIt)
+  {
+    const TemporaryFolder folder;
+    const auto            file = folder.write("ramp.csv", ramp_csv);
+    folder.write("ramp.json", "{\"period_s\": 2}");
+    EXPECT_EQ(FieldProgram::read_csv(file).period_s(), 2.);
+    EXPECT_EQ(FieldProgram::read_csv(file, 1.9).period_s(), 1.9); // what is said here goes before
+  }
+
+  TEST(FieldProgram, RefusesAFileBesideItWithoutThePeriodOfThisTable)
+  {
+    const TemporaryFolder folder;
+    const auto            file    = folder.write("ramp.csv", ramp_csv);
+    const auto            message = [&](const std::string &text) {
+      folder.write("ramp.json", text);
+      return message_of<InputError>([&] { FieldProgram::read_csv(file); });
+    };
+    for (const std::string text : {"", "[1]", "{}", "{\"period_s\": \"2 s\"}", "{\"period_s\": -2}", "period_s = 2"})
+      expect_in(message(text), "ramp.json: a positive number period_s, the period of ramp.csv in s, is missing");
+    expect_in(message("{\"period_s\": 2, \"table_sha256\": \"0\"}"), "another table than");
+  }
+
+  TEST(FieldProgram, IsReadBackAsItWasWritten)
+  {
+    const TemporaryFolder                    folder;
+    const std::vector<std::array<double, 3>> b{{0.3, 0., 0.}, {1. / 3., -1e-7, 0.}, {2., 0., 0.}, {1., 0., 0.}};
+    for (const double bz : {0., 1e-3})
+    {
+      auto with_bz       = b;
+      with_bz[2][2]      = bz;
+      const auto written = FieldProgram::sampled({0., 0.1, 0.2, 0.30000000000000004}, with_bz, 0.4);
+      write_field_program(folder.path / "field.csv", written, "from a test\nof two lines");
+      const auto read = FieldProgram::read_csv(folder.path / "field.csv");
+      EXPECT_EQ(read.time_s(), written.time_s());
+      EXPECT_EQ(read.b_T(), written.b_T());
+      EXPECT_EQ(read.period_s(), 0.4);
+      EXPECT_EQ(content(folder.path / "field.csv").substr(0, 19),
+                bz == 0. ? "time_s,bx_T,by_T\n0," : "time_s,bx_T,by_T,bz");
+    }
   }
 
   TEST(FieldProgram, SamplesMayStartAfterTimeZero)

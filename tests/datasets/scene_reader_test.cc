@@ -239,6 +239,20 @@ namespace swimtwin
     expect_in(message_of<InputError>([&] { read_scene(file); }), "has changed since this scene was written");
   }
 
+  TEST(SceneReader, TakesOverThePeriodThatStandsBesideTheProgram)
+  {
+    const TemporaryFolder folder;
+    folder.write("field.csv", program_csv);
+    const auto file = folder.write("scene.toml", replaced(swimmer_toml, sinusoid, "program = \"field.csv\"\n"));
+    expect_in(message_of<InputError>([&] { read_scene(file); }), "here or in NAME.json beside NAME.csv");
+    folder.write("field.json", "{\"period_s\": 2}");
+    const Scene scene = read_scene(file);
+    EXPECT_EQ(scene.time.period_s, 2.);
+    std::filesystem::remove(folder.path / "field.json"); // the scene of an output says it by itself
+    folder.write("scene.toml", scene.text);
+    EXPECT_EQ(read_scene(file).hash, scene.hash);
+  }
+
   TEST(SceneReader, MissingProgramIsNamed)
   {
     expect_in(message_after(sinusoid, "program = \"nowhere.csv\"\nperiod_s = 2\n"),

@@ -1,4 +1,5 @@
 #include <tests/pipeline/simulation.h>
+#include <tests/places.h>
 
 #include <nlohmann/json.hpp>
 
@@ -52,6 +53,15 @@ namespace swimtwin
       EXPECT_NEAR(trajectory[i].time_s, i / (0.9 * 20), 1e-12);
     EXPECT_EQ(trajectory.front().head_x_m, 0.);
     EXPECT_NEAR(trajectory.front().tail_tip_x_m, 7.75e-3, 1e-12);
+  }
+
+  TEST(Outputs, PythonReadsTheTrajectoryAsItIs)
+  {
+    const TemporaryFolder folder;
+    simulate(one_period, folder.path);
+    const Outcome outcome = run({places::python, "-B", std::string(places::checks) + "/check_tables.py", folder.path});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+    EXPECT_EQ(outcome.out, "1\n");
   }
 
   TEST(Outputs, TheSummaryHasTheContractsKeysAndCompletes)

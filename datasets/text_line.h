@@ -1,0 +1,10 @@
+// Texts from elsewhere (names, commands, messages) where one line of a file has room for them.
+#pragma once
+
+#include <string>
+
+namespace swimtwin
+{
+  /// Control characters, line breaks among them, become blanks; bytes that are not UTF-8 become the sign for that.
+  std::string text_line(const std::string &text);
+} // namespace swimtwin
