@@ -53,14 +53,11 @@ namespace swimtwin
       const double wall_time_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
       const std::vector<FrequencyCurve> curves = curves_of(results);
 
-      std::string warning;
-      const auto  pictures =
-          draw_pictures(common.output / "pictures",
-                        {frequency_picture(curves, "reduced swimmer",
-                                           {"full-order model", full_order_curves(scene.head.magnetization_A_m)})},
-                        common.command_line, warning);
-      if (!warning.empty())
-        fmt::print(stderr, "swimtwin: {}\n", warning);
+      const auto pictures = draw_beside_results(
+          common.output,
+          {frequency_picture(curves, "reduced swimmer",
+                             {"full-order model", full_order_curves(scene.head.magnetization_A_m)})},
+          common.command_line);
       if (common.quiet)
         return;
       fmt::print(

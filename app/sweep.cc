@@ -147,15 +147,6 @@ namespace swimtwin
       write_sweep_summary(common.output / sweep_summary_name, model, results, record);
     }
 
-    void draw(const CommonOptions &common, const std::vector<FrequencyCurve> &curves)
-    {
-      std::string warning;
-      draw_pictures(common.output / "pictures", {frequency_picture(curves, common.output.filename().string())},
-                    common.command_line, warning);
-      if (!warning.empty())
-        fmt::print(stderr, "swimtwin: {}\n", warning);
-    }
-
     void sweep_and_report(const SweepCommand &command, const SweepAxes &axes)
     {
       const CommonOptions &common  = command.common;
@@ -200,7 +191,8 @@ namespace swimtwin
         fmt::print(stderr, "swimtwin: warning: {}\n", warning);
       if (curves.empty())
         throw ComputationError(fmt::format("no member of the sweep was computed: {}", results.front().note));
-      draw(common, curves);
+      draw_beside_results(common.output, {frequency_picture(curves, common.output.filename().string())},
+                          common.command_line);
       if (common.quiet)
         return;
       fmt::print(

@@ -54,11 +54,8 @@ namespace swimtwin
       if (record.replay)
         write_swim_table(folder / replay_table_name, *record.replay);
       write_target_summary(folder / track_summary_name, record);
-      std::string warning;
       if (!command.no_picture && !record.swim.empty())
-        draw_pictures(folder / "pictures", target_pictures(record), command.common.command_line, warning);
-      if (!warning.empty())
-        fmt::print(stderr, "swimtwin: {}\n", warning);
+        draw_beside_results(folder, target_pictures(record), command.common.command_line);
     }
 
     void print(const TargetRecord &record, const CommonOptions &common)

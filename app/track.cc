@@ -90,11 +90,8 @@ namespace swimtwin
 
     void draw(const TrackCommand &command, const TrackRecord &record)
     {
-      std::string warning;
       if (!command.no_picture && !record.result.instants.empty())
-        draw_pictures(command.common.output / "pictures", track_pictures(record), command.common.command_line, warning);
-      if (!warning.empty())
-        fmt::print(stderr, "swimtwin: {}\n", warning);
+        draw_beside_results(command.common.output, track_pictures(record), command.common.command_line);
     }
 
     void write(const CommonOptions &common, const TrackRecord &record)

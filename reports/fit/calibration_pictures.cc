@@ -5,9 +5,9 @@
 #include <reports/fit/pairs_picture.h>
 #include <reports/fit/profiles_picture.h>
 #include <reports/fit/waterfall_picture.h>
+#include <reports/page/frequency_axis.h>
 #include <reports/page/number_text.h>
 #include <reports/page/shown_units.h>
-#include <reports/run/run_picture.h>
 
 #include <fmt/format.h>
 
@@ -46,14 +46,11 @@ namespace swimtwin
       return nullptr;
     }
 
-    /// Limits of a frequency axis; more than a factor of four is shown by its logarithm.
-    void set_frequency_axis(GnuplotPicture &picture, const double lowest, const double highest)
+    /// Data of a factor of four need a logarithm.
+    void set_frequency_axis(GnuplotPicture &picture, const double lowest_Hz, const double highest_Hz)
     {
-      const bool   logarithmic = lowest > 0. && highest > 4. * lowest;
-      const double margin      = highest > lowest ? 0.04 * (highest - lowest) : 0.5;
-      picture.set_flag("logarithmic", logarithmic);
-      picture.set("f_min", logarithmic ? lowest / 1.1 : lowest - margin);
-      picture.set("f_max", logarithmic ? highest * 1.1 : highest + margin);
+      FrequencyAxis{.lowest_Hz = lowest_Hz, .highest_Hz = highest_Hz, .logarithmic_above = 4., .margin = 1.1}.set_in(
+          picture);
     }
 
     void set_axis_of_observations(GnuplotPicture &picture, const CalibrationResult &result)
@@ -142,11 +139,8 @@ namespace swimtwin
 
   GnuplotPicture fit_picture(const CalibrationResult &result)
   {
-    GnuplotPicture picture;
-    picture.name   = "fit";
-    picture.script = calibration_scripts::fit;
-    picture.set_text("heading", "Fit to displacement per period");
-    picture.set_text("caption", caption_of_fit(result));
+    GnuplotPicture picture =
+        titled_picture("fit", calibration_scripts::fit, "Fit to displacement per period", caption_of_fit(result));
     set_axis_of_observations(picture, result);
     set_residual_axis(picture, result.residuals);
     const std::vector<std::string> names = data_sets(result);
@@ -163,15 +157,12 @@ namespace swimtwin
 
   GnuplotPicture next_experiment_picture(const CalibrationResult &result)
   {
-    const NextExperiment &next  = *result.next;
-    const ShownQuantity   shown = shown_quantity(next.parameter, 1.);
-    GnuplotPicture        picture;
-    picture.name   = "next_experiment";
-    picture.script = calibration_scripts::next_experiment;
-    picture.set_text("heading", "What one more observation would bring");
-    picture.set_text("caption", fmt::format("best at {} Hz: the interval of {} shrinks to {} %",
-                                            plain_number(next.best_frequency_Hz, 3), shown.symbol,
-                                            plain_number(100. * next.best_interval_ratio, 3)));
+    const NextExperiment &next    = *result.next;
+    const ShownQuantity   shown   = shown_quantity(next.parameter, 1.);
+    GnuplotPicture        picture = titled_picture(
+               "next_experiment", calibration_scripts::next_experiment, "What one more observation would bring",
+               fmt::format("best at {} Hz: the interval of {} shrinks to {} %", plain_number(next.best_frequency_Hz, 3),
+                           shown.symbol, plain_number(100. * next.best_interval_ratio, 3)));
     picture.set_text("interval_label", fmt::format("interval of {} (% of today's)", shown.symbol));
     set_frequency_axis(picture, next.frequency_Hz.front(), next.frequency_Hz.back());
     add_gains(picture, next);

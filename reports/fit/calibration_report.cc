@@ -3,7 +3,7 @@
 #include <reports/fit/calibration_tables.h>
 #include <reports/fit/fitted_quantity.h>
 #include <reports/page/number_text.h>
-#include <reports/run/run_tables.h>
+#include <reports/page/provenance_section.h>
 
 #include <fmt/format.h>
 
@@ -35,8 +35,7 @@ namespace swimtwin
       page.add_verdict(result.converged() ? Verdict::good : Verdict::bad, headline(result));
       if (!result.message.empty())
         page.add_paragraph(result.message);
-      for (const std::string &warning : result.warnings)
-        page.add_warning(warning);
+      page.add_warnings(result.warnings);
     }
 
     /// The reasons why bounds are missing, each once.
@@ -122,12 +121,10 @@ namespace swimtwin
 
     void add_origin(HtmlPage &page, const CalibrationResult &result)
     {
-      page.add_heading("Provenance");
-      HtmlTable table = provenance_table(result.provenance);
-      table.rows.push_back({{"reduced model"}, {result.model_file}});
-      table.rows.push_back({{"scene"}, {result.scene_name}});
-      table.rows.push_back({{"data"}, {fmt::format("{}", fmt::join(result.data_files, ", "))}});
-      page.add_table(table);
+      add_provenance(page, result.provenance,
+                     {{"reduced model", result.model_file},
+                      {"scene", result.scene_name},
+                      {"data", fmt::format("{}", fmt::join(result.data_files, ", "))}});
       page.add_heading("Problem");
       page.add_preformatted(result.problem_text);
     }

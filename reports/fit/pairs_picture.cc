@@ -127,13 +127,10 @@ namespace swimtwin
 
   GnuplotPicture pairs_picture(const CalibrationResult &result)
   {
-    GnuplotPicture picture;
-    picture.name   = "pairs";
-    picture.script = calibration_scripts::pairs;
-    picture.set_text("heading", "Estimates from repeated data");
-    picture.set_text("caption",
-                     fmt::format("{} bootstrap samples; orange: the estimate and the {} region of the curvature",
-                                 result.bootstrap.rows(), level_text(result.level)));
+    GnuplotPicture picture =
+        titled_picture("pairs", calibration_scripts::pairs, "Estimates from repeated data",
+                       fmt::format("{} bootstrap samples; orange: the estimate and the {} region of the curvature",
+                                   result.bootstrap.rows(), level_text(result.level)));
     const std::vector<ShownParameter> parameters = sampled_parameters(result);
     const std::size_t                 n          = parameters.size();
     picture.set("n_parameters", static_cast<double>(n));

@@ -87,12 +87,9 @@ namespace swimtwin
 
   GnuplotPicture profiles_picture(const CalibrationResult &result)
   {
-    GnuplotPicture picture;
-    picture.name   = "profiles";
-    picture.script = calibration_scripts::profiles;
-    picture.set_text("heading", "Profiles of the misfit");
-    picture.set_text("caption",
-                     "along each parameter, with all others fitted again; below the dashed line lies its interval");
+    GnuplotPicture picture =
+        titled_picture("profiles", calibration_scripts::profiles, "Profiles of the misfit",
+                       "along each parameter, with all others fitted again; below the dashed line lies its interval");
     picture.set_text("level", level_text(result.level));
     const std::size_t n = result.profiles.size();
     picture.set("n_profiles", static_cast<double>(n));

@@ -59,11 +59,8 @@ namespace swimtwin
   GnuplotPicture waterfall_picture(const CalibrationResult &result)
   {
     const std::vector<FitStart> &starts = result.starts;
-    GnuplotPicture               picture;
-    picture.name   = "waterfall";
-    picture.script = calibration_scripts::waterfall;
-    picture.set_text("heading", "Starts and where they ended");
-    picture.set_text("caption", caption(starts));
+    GnuplotPicture               picture =
+        titled_picture("waterfall", calibration_scripts::waterfall, "Starts and where they ended", caption(starts));
     picture.set("n_starts", static_cast<double>(starts.size()));
     picture.set("tick_step", tick_step(static_cast<double>(starts.size())));
     picture.set_flag("all_converged", std::all_of(starts.begin(), starts.end(), has_converged));

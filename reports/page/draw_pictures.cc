@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
+
 namespace swimtwin
 {
   namespace fs = std::filesystem;
@@ -56,5 +58,15 @@ namespace swimtwin
       warning = fmt::format("no pictures were drawn: cannot create {}: {}.", folder.string(), error.code().message());
     }
     return {};
+  }
+
+  std::vector<fs::path> draw_beside_results(const fs::path &output, const std::vector<GnuplotPicture> &pictures,
+                                            const std::string &origin)
+  {
+    std::string                 warning;
+    const std::vector<fs::path> drawn = draw_pictures(output / pictures_folder_name, pictures, origin, warning);
+    if (!warning.empty())
+      fmt::print(stderr, "swimtwin: {}\n", warning);
+    return drawn;
   }
 } // namespace swimtwin

@@ -15,4 +15,12 @@ namespace swimtwin
   std::vector<std::filesystem::path> draw_pictures(const std::filesystem::path       &folder,
                                                    const std::vector<GnuplotPicture> &pictures,
                                                    const std::string &origin, std::string &warning);
+
+  /// Where the pictures of results are, in their folder.
+  inline constexpr const char *pictures_folder_name = "pictures";
+
+  /// Draw there, and say on stderr what went wrong. Returns the PNG files drawn.
+  std::vector<std::filesystem::path> draw_beside_results(const std::filesystem::path       &output,
+                                                         const std::vector<GnuplotPicture> &pictures,
+                                                         const std::string                 &origin);
 } // namespace swimtwin

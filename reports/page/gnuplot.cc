@@ -100,6 +100,15 @@ namespace swimtwin
     variables.emplace_back(variable, quoted(text));
   }
 
+  GnuplotPicture titled_picture(const std::string &name, const std::string_view script, const std::string_view heading,
+                                const std::string_view caption)
+  {
+    GnuplotPicture picture{name, {}, {}, script};
+    picture.set_text("heading", heading);
+    picture.set_text("caption", caption);
+    return picture;
+  }
+
   std::optional<GnuplotFault> find_gnuplot_fault()
   {
     const ProcessResult result = run_gnuplot("/", {"--version"}, version_limit);

@@ -39,6 +39,10 @@ namespace swimtwin
     void set_text(const std::string &variable, std::string_view text);
   };
 
+  /// With what every script of ours shows above its panels: a heading, and under it what there is to see.
+  GnuplotPicture titled_picture(const std::string &name, std::string_view script, std::string_view heading,
+                                std::string_view caption);
+
   /// Why nothing can be drawn, and what to do.
   struct GnuplotFault
   {

@@ -146,6 +146,11 @@ namespace swimtwin
       while (ended < 0 && errno == EINTR);
       return ended == 0 ? std::nullopt : std::optional(ended == child ? status : -1);
     }
+    std::string how_it_ended(const int status)
+    {
+      return WIFSIGNALED(status) ? fmt::format("it was ended by signal {}", WTERMSIG(status))
+                                 : fmt::format("it ended with exit code {}", WEXITSTATUS(status));
+    }
   } // namespace
 
   ProcessResult run_gnuplot(const fs::path &folder, const std::vector<std::string> &arguments,
@@ -169,6 +174,6 @@ namespace swimtwin
       return {true, false, fmt::format("it did not end within {:g} s", std::chrono::duration<double>(limit).count())};
     }
     pipe.take();
-    return {true, WIFEXITED(*status) && WEXITSTATUS(*status) == 0, pipe.messages};
+    return {true, *status == 0, pipe.messages.empty() ? how_it_ended(*status) : pipe.messages};
   }
 } // namespace swimtwin

@@ -37,8 +37,8 @@ set palette defined (0 '#fbbf5b', 0.25 '#ee7d50', 0.5 '#c23b6a', 0.75 '#712c86',
 cyclic_palette = "set palette defined (0 '#22175c', 0.17 '#2f6fb5', 0.34 '#35a892', 0.5 '#e3b23c', 0.67 '#dc6a3a', 0.84 '#a52a6b', 1 '#22175c')"
 
 # eval(panel) puts the next plot between left, right, top and bottom (parts of the picture); eval(one_scale) sets ranges
-# that show x_min ... y_max in it with the same scale on both axes and fill it. The key stands
-# above the panel.
+# that show x_min ... y_max in it with the same scale on both axes and fill it; eval(map_panel) does
+# both for places. The key stands above the panel.
 panel = "set key at screen right, top + 0.043 right top horizontal Left reverse width 1 samplen 1.8 textcolor rgb text_color; \
   set lmargin at screen left; set rmargin at screen right; \
   set tmargin at screen top; set bmargin at screen bottom"
@@ -48,6 +48,7 @@ one_scale = "w = 1600. * (right - left); h = 1000. * (top - bottom); \
   half = 0.5 * zoom_out * larger((x_max - x_min) / w, (y_max - y_min) / h); \
   set xrange [0.5*(x_min + x_max) - half*w : 0.5*(x_min + x_max) + half*w]; \
   set yrange [0.5*(y_min + y_max) - half*h : 0.5*(y_min + y_max) + half*h]"
+map_panel = panel.'; '.one_scale."; set xlabel 'x (mm)'; set ylabel 'y (mm)'"
 
 # More to eval: colorbox_beside puts the scale of colours to the right of the panel, phase_tics marks the quarters of a
 # period on it; without_heading comes before the second panel; upper_tics and lower_tics are for two panels above each

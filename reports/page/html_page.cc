@@ -134,6 +134,12 @@ pre { padding: .8rem; border: 1px solid var(--line); font-size: .85rem; white-sp
     add_element("p", " class=\"warning\"", text);
   }
 
+  void HtmlPage::add_warnings(const std::vector<std::string> &texts)
+  {
+    for (const std::string &text : texts)
+      add_warning(text);
+  }
+
   void HtmlPage::add_heading(const std::string_view text)
   {
     add_element("h2", "", text);

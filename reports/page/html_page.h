@@ -39,6 +39,7 @@ namespace swimtwin
 
     void add_verdict(Verdict verdict, std::string_view text);
     void add_warning(std::string_view text);
+    void add_warnings(const std::vector<std::string> &texts);
     void add_heading(std::string_view text);
     void add_paragraph(std::string_view text);
     void add_table(const HtmlTable &table);

@@ -14,7 +14,7 @@ namespace swimtwin
                            const std::string &origin)
   {
     Illustrations illustrations;
-    illustrations.pictures = draw_pictures(output / "pictures", pictures, origin, illustrations.warning);
+    illustrations.pictures = draw_pictures(output / pictures_folder_name, pictures, origin, illustrations.warning);
     return illustrations;
   }
 

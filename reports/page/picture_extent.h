@@ -5,24 +5,24 @@
 
 #include <Eigen/Dense>
 
+#include <limits>
+
 namespace swimtwin
 {
-  struct PictureExtent
+  /// Smallest box around points; never smaller than `least`, so that a body at rest can be drawn too.
+  class PictureExtent
   {
-    Eigen::Vector2d low = Eigen::Vector2d::Constant(1e300), high = -low;
+  public:
+    explicit PictureExtent(const double least = 0.) : least_(least) {}
 
-    void add(const Eigen::Vector2d &point)
-    {
-      low  = low.cwiseMin(point);
-      high = high.cwiseMax(point);
-    }
+    void            add(const Eigen::Vector2d &point);
+    double          size() const; ///< the larger side
+    Eigen::Vector2d center() const { return 0.5 * (low_ + high_); }
     /// x_min, x_max, y_min, y_max, which the macro one_scale reads.
-    void set_in(GnuplotPicture &picture) const
-    {
-      picture.set("x_min", low.x());
-      picture.set("x_max", high.x());
-      picture.set("y_min", low.y());
-      picture.set("y_max", high.y());
-    }
+    void set_in(GnuplotPicture &picture) const;
+
+  private:
+    double          least_;
+    Eigen::Vector2d low_ = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity()), high_ = -low_;
   };
 } // namespace swimtwin

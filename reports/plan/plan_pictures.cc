@@ -2,9 +2,9 @@
 
 #include <control/measured_field.h>
 #include <reports/page/number_text.h>
+#include <reports/page/picture_extent.h>
 #include <reports/page/shown_units.h>
 #include <reports/plan/plan_scripts.h>
-#include <reports/run/run_picture.h>
 
 #include <fmt/format.h>
 
@@ -29,12 +29,7 @@ namespace swimtwin
     GnuplotPicture picture_of(const PlanFolder &folder, const std::string &name, const std::string_view script,
                               const std::string &heading, const std::string &finding)
     {
-      GnuplotPicture picture;
-      picture.name   = name;
-      picture.script = script;
-      picture.set_text("heading", heading);
-      picture.set_text("caption", fmt::format("{}: {}", folder.name, finding));
-      return picture;
+      return titled_picture(name, script, heading, fmt::format("{}: {}", folder.name, finding));
     }
 
     void set_names(GnuplotPicture &picture, const std::vector<const PlannedField *> &fields)
@@ -78,10 +73,10 @@ namespace swimtwin
       for (const PlannedField *field : fields)
         largest = std::max(largest, mT * field->largest_field_T);
       picture.set("largest", largest);
-      picture.set("x_min", -largest);
-      picture.set("x_max", largest);
-      picture.set("y_min", -largest);
-      picture.set("y_max", largest);
+      PictureExtent extent;
+      extent.add({-largest, -largest});
+      extent.add({largest, largest});
+      extent.set_in(picture);
       for (const PlannedField *field : fields)
         add_samples(picture, *field);
       return picture;
@@ -91,7 +86,7 @@ namespace swimtwin
     {
       GnuplotPicture picture = picture_of(folder, "head_path", gnuplot_scripts::head_path, "Path of the head",
                                           "the same time for every field, a mark after every period");
-      Extent         extent(0.1);
+      PictureExtent  extent(0.1);
       double         duration_s = std::numeric_limits<double>::infinity();
       for (const PlannedMotion &motion : folder.motions)
         duration_s = std::min(duration_s, motion.trajectory.back().time_s);
@@ -104,7 +99,7 @@ namespace swimtwin
           if (row.time_s <= duration_s)
           {
             picture.table.add_row({mm * row.head_x_m, mm * row.head_y_m, row.time_s});
-            extent.add(mm * row.head_x_m, mm * row.head_y_m);
+            extent.add(mm * Eigen::Vector2d(row.head_x_m, row.head_y_m));
           }
       }
       for (const PlannedMotion &motion : folder.motions)
@@ -118,7 +113,7 @@ namespace swimtwin
             picture.table.add_row({mm * row.head_x_m, mm * row.head_y_m});
       }
       picture.set("n_fields", static_cast<double>(folder.motions.size()));
-      extent.assign_to(picture);
+      extent.set_in(picture);
       return picture;
     }
 

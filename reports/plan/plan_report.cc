@@ -1,9 +1,8 @@
 #include <reports/plan/plan_report.h>
 
 #include <reports/page/number_text.h>
+#include <reports/page/provenance_section.h>
 #include <reports/page/shown_units.h>
-#include <reports/run/run_picture.h>
-#include <reports/run/run_tables.h>
 
 #include <fmt/format.h>
 
@@ -26,8 +25,7 @@ namespace swimtwin
                        fmt::format("{}: gain {} over the tuned sinusoid", plan.status, number(plan.gain())));
       page.add_paragraph(plan.message + ".");
       page.add_paragraph("The gain is " + plan.confirmation() + ".");
-      for (const std::string &warning : plan.warnings)
-        page.add_warning(warning);
+      page.add_warnings(plan.warnings);
     }
 
     HtmlTable field_table(const PlanResult &plan)
@@ -156,8 +154,7 @@ namespace swimtwin
     }
     page.add_heading("Goal");
     page.add_preformatted(plan.goal_text);
-    page.add_heading("Provenance");
-    page.add_table(provenance_table(plan.provenance));
+    add_provenance(page, plan.provenance);
     return page;
   }
 } // namespace swimtwin

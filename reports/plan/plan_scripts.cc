@@ -46,10 +46,7 @@ plot for [k=0:last-1] data index k using 2:3 with lines lw 2.2 lc rgb pale_color
 
   const std::string_view head_path = R"gp(
 left = 0.105; right = 0.965; top = 0.835; bottom = 0.12
-eval(panel)
-eval(one_scale)
-set xlabel 'x (mm)'
-set ylabel 'y (mm)'
+eval(map_panel)
 unset colorbox
 set cbrange [0:larger(1, n_fields - 1)]
 plot for [k=0:n_fields-1] data index k using 1:2 with lines lw 2.2 lc palette cb k title value(sprintf('name_%d', k)), \

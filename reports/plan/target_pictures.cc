@@ -16,10 +16,7 @@ namespace swimtwin
 
     constexpr std::string_view target_way_script = R"gp(
 left = 0.105; right = 0.965; top = 0.835; bottom = 0.115
-eval(panel)
-eval(one_scale)
-set xlabel 'x (mm)'
-set ylabel 'y (mm)'
+eval(map_panel)
 plot data index 0 using 1:2 with lines lw 3 lc rgb '#f3c98b' title 'target', \
      data index 2 using 1:2 with lines lw 1 lc rgb tail_color title (has_replay ? 'head of the replay' : ''), \
      data index 1 using 1:2 with lines lw 1 lc rgb head_color title 'head'
@@ -56,11 +53,7 @@ unset multiplot
 
     GnuplotPicture way_picture(const TargetRecord &record)
     {
-      GnuplotPicture picture;
-      picture.name   = "way";
-      picture.script = target_way_script;
-      picture.set_text("heading", "The way to a target");
-      picture.set_text("caption", finding(record));
+      GnuplotPicture picture = titled_picture("way", target_way_script, "The way to a target", finding(record));
       picture.set_flag("has_replay", record.replay.has_value());
       PictureExtent extent;
       const auto    add = [&](const Eigen::Vector2d &point_m) {
@@ -86,14 +79,11 @@ unset multiplot
 
     GnuplotPicture course_picture(const TargetRecord &record)
     {
-      GnuplotPicture picture;
-      picture.name   = "course";
-      picture.script = target_course_script;
-      picture.set_text("heading", "Distance from the target, and field");
-      picture.set_text("caption",
-                       fmt::format("{} periods at {} Hz; straight on and not turned, the carrier takes {} s",
-                                   record.way.n_periods, plain_number(record.way.plan.carrier.frequency_Hz, 4),
-                                   plain_number(record.way.straight_time_s, 4)));
+      GnuplotPicture picture =
+          titled_picture("course", target_course_script, "Distance from the target, and field",
+                         fmt::format("{} periods at {} Hz; straight on and not turned, the carrier takes {} s",
+                                     record.way.n_periods, plain_number(record.way.plan.carrier.frequency_Hz, 4),
+                                     plain_number(record.way.straight_time_s, 4)));
       picture.set("t_max", record.swim.back().time_s);
       picture.table.begin_block("time (s), distance (body lengths), bx, by (mT)");
       for (const TargetInstant &i : record.swim)

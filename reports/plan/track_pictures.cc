@@ -16,10 +16,7 @@ namespace swimtwin
 
     constexpr std::string_view track_path_script = R"gp(
 left = 0.105; right = 0.965; top = 0.835; bottom = 0.115
-eval(panel)
-eval(one_scale)
-set xlabel 'x (mm)'
-set ylabel 'y (mm)'
+eval(map_panel)
 plot data index 1 using 1:2 with lines lw 0.8 lc rgb pale_color title 'head', \
      data index 0 using 1:2 with lines lw 6 lc rgb '#f3c98b' title 'path', \
      data index 2 using 1:2 with lines lw 2 lc rgb tail_color title (has_replay ? 'mean of the replay' : ''), \
@@ -65,11 +62,7 @@ unset multiplot
 
     GnuplotPicture path_picture(const TrackRecord &record)
     {
-      GnuplotPicture picture;
-      picture.name   = "path";
-      picture.script = track_path_script;
-      picture.set_text("heading", "Led along a path");
-      picture.set_text("caption", finding(record));
+      GnuplotPicture picture = titled_picture("path", track_path_script, "Led along a path", finding(record));
       picture.set_flag("has_replay", record.replay.has_value());
       PictureExtent extent;
       picture.table.begin_block("path: x (mm), y (mm)");
@@ -94,14 +87,11 @@ unset multiplot
 
     GnuplotPicture course_picture(const TrackRecord &record)
     {
-      const TrackResult &r = record.result;
-      GnuplotPicture     picture;
-      picture.name   = "course";
-      picture.script = track_course_script;
-      picture.set_text("heading", "Distance from the path, field and decisions");
-      picture.set_text("caption", fmt::format("{} decisions of {} ms on average, {} ms at most; {} came too late",
-                                              r.n_decisions, plain_number(ms * r.mean_decision_s, 2),
-                                              plain_number(ms * r.largest_decision_s, 2), r.n_missed));
+      const TrackResult &r       = record.result;
+      GnuplotPicture     picture = titled_picture(
+              "course", track_course_script, "Distance from the path, field and decisions",
+              fmt::format("{} decisions of {} ms on average, {} ms at most; {} came too late", r.n_decisions,
+                          plain_number(ms * r.mean_decision_s, 2), plain_number(ms * r.largest_decision_s, 2), r.n_missed));
       picture.set("t_min", r.instants.front().time_s);
       picture.set("t_max", std::max(r.instants.back().time_s, r.instants.front().time_s + 1e-3));
       picture.table.begin_block("time (s), distance (% of body length), bx, by (mT), time of the decision (ms)");

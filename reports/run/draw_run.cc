@@ -50,7 +50,7 @@ namespace swimtwin
     warning.clear();
     if (trajectory.size() < n_rows_min)
       return {};
-    const fs::path pictures_folder = folder / "pictures";
+    const fs::path pictures_folder = folder / pictures_folder_name;
     const ShownRun run{scene, trajectory, summary, snapshots, time_axis(scene, trajectory)};
     remove_earlier_pictures(pictures_folder);
     return draw_pictures(pictures_folder, choose_pictures(run),

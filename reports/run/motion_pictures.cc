@@ -1,6 +1,7 @@
 #include <reports/run/motion_pictures.h>
 
 #include <reports/page/number_text.h>
+#include <reports/page/picture_extent.h>
 #include <reports/page/shown_units.h>
 #include <reports/run/run_scripts.h>
 
@@ -72,16 +73,16 @@ namespace swimtwin
     }
 
     /// Marks at the quarters of the period with their labels outside the loop, and arrows half way between them.
-    void add_loop_marks(GnuplotTable &table, const Rows rows, const Extent &extent)
+    void add_loop_marks(GnuplotTable &table, const Rows rows, const PictureExtent &extent)
     {
-      const auto [x_center, y_center] = extent.center();
+      const Eigen::Vector2d center = extent.center();
       table.begin_block("head (degrees), tail (degrees), the label's place, phase (periods)");
       for (const double phase : {0., 0.25, 0.5, 0.75})
       {
         const auto [x, y]     = loop_point(rows[row_at_phase(rows, phase)]);
-        const double distance = std::hypot(x - x_center, y - y_center);
+        const double distance = std::hypot(x - center.x(), y - center.y());
         const double outwards = distance > 0. ? 0.045 * extent.size() / distance : 0.;
-        table.add_row({x, y, x + outwards * (x - x_center), y + outwards * (y - y_center), phase});
+        table.add_row({x, y, x + outwards * (x - center.x()), y + outwards * (y - center.y()), phase});
       }
       table.begin_block("head (degrees), tail (degrees), a short step along the loop");
       for (const double phase : {0.125, 0.375, 0.625, 0.875})
@@ -149,10 +150,10 @@ namespace swimtwin
     add_rows(run.trajectory);
     add_rows(period_borders(run));
 
-    Extent extent(1e-3 * mm * run.scene.body_length_m());
+    PictureExtent extent(1e-3 * mm * run.scene.body_length_m());
     for (const TrajectoryRow &row : run.trajectory)
-      extent.add(mm * row.head_x_m, mm * row.head_y_m);
-    extent.assign_to(picture);
+      extent.add(mm * Eigen::Vector2d(row.head_x_m, row.head_y_m));
+    extent.set_in(picture);
     set_time_axis(picture, run, run.trajectory);
     picture.set("head_first", run.trajectory.front().head_angle_rad + std::numbers::pi);
     picture.set_text("border_title", run.axis.periodic ? "period boundaries" : "start and end");
@@ -181,19 +182,19 @@ namespace swimtwin
     const Rows     rows    = run.last_period();
     GnuplotPicture picture = make_picture(run, "stroke_loop", gnuplot_scripts::stroke_loop,
                                           "Stroke loop: tail angle against head angle", loop_finding(rows));
-    Extent         extent(1e-3);
+    PictureExtent  extent(1e-3);
     const auto     add_rows = [&](const Rows shown) {
       picture.table.begin_block("head (degrees), tail tip (degrees)");
       for (const TrajectoryRow &row : shown)
       {
         const auto [x, y] = loop_point(row);
         picture.table.add_row({x, y});
-        extent.add(x, y);
+        extent.add({x, y});
       }
     };
     add_rows(run.trajectory);
     add_rows(rows);
-    extent.assign_to(picture);
+    extent.set_in(picture);
     add_loop_marks(picture.table, rows, extent);
     picture.set_text("earlier_title", rows.size() < run.trajectory.size() ? "whole run" : "");
     picture.set_text("loop_title", "last full period");

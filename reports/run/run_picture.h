@@ -1,4 +1,4 @@
-// What the pictures of a run have in common: the run they show, a heading, a time axis, axes of one scale.
+// What the pictures of a run have in common: the run they show, a heading, a time axis.
 #pragma once
 
 #include <datasets/scene.h>
@@ -7,8 +7,6 @@
 #include <reports/page/gnuplot.h>
 #include <reports/run/motion_curves.h>
 
-#include <array>
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -38,22 +36,4 @@ namespace swimtwin
 
   /// Label and limits of a time axis over these rows.
   void set_time_axis(GnuplotPicture &picture, const ShownRun &run, Rows rows);
-
-  /// Smallest box around points; never smaller than `least`, so that a body at rest can be drawn too.
-  class Extent
-  {
-  public:
-    explicit Extent(double least) : least_(least) {}
-
-    void                  add(double x, double y);
-    double                size() const; ///< the larger side
-    std::array<double, 2> center() const;
-    void                  assign_to(GnuplotPicture &picture) const;
-
-  private:
-    static constexpr double infinity = std::numeric_limits<double>::infinity();
-
-    double                least_;
-    std::array<double, 2> low_{infinity, infinity}, high_{-infinity, -infinity};
-  };
 } // namespace swimtwin

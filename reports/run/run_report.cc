@@ -1,6 +1,7 @@
 #include <reports/run/run_report.h>
 
 #include <reports/page/number_text.h>
+#include <reports/page/provenance_section.h>
 #include <reports/page/shown_units.h>
 #include <reports/run/run_picture.h>
 #include <reports/run/run_tables.h>
@@ -46,8 +47,7 @@ namespace swimtwin
     const auto &[summary, provenance] = run.record;
     HtmlPage page(fmt::format("Run {}", run.name));
     page.add_verdict(has_completed(summary) ? Verdict::good : Verdict::bad, verdict_text(run));
-    for (const std::string &warning : summary.warnings)
-      page.add_warning(warning);
+    page.add_warnings(summary.warnings);
     if (!run.warning.empty())
       page.add_warning(run.warning);
     if (has_full_period(run))
@@ -65,8 +65,7 @@ namespace swimtwin
       page.add_heading("Mesh and numerics");
       page.add_table(numerics_table(*run.scene));
     }
-    page.add_heading("Provenance");
-    page.add_table(provenance_table(provenance));
+    add_provenance(page, provenance);
     page.add_heading("Scene");
     page.add_preformatted(provenance.scene_text);
     return page;

@@ -8,10 +8,7 @@ tall = y_max - y_min > 0.5 * (x_max - x_min) # then the path stands beside the d
 
 # the path, with one scale on both axes
 left = 0.105; right = tall ? 0.39 : 0.875; top = 0.835; bottom = tall ? 0.12 : 0.48
-eval(panel)
-eval(one_scale)
-set xlabel 'x (mm)'
-set ylabel 'y (mm)'
+eval(map_panel)
 set cblabel time_label offset 0.3,0
 set cbrange [t_min:t_max]
 eval(colorbox_beside)
@@ -120,10 +117,7 @@ unset multiplot
 
   const std::string_view shapes = R"gp(
 left = 0.105; right = 0.875; top = 0.835; bottom = 0.12
-eval(panel)
-eval(one_scale)
-set xlabel 'x (mm)'
-set ylabel 'y (mm)'
+eval(map_panel)
 if (cyclic) { eval(cyclic_palette) }
 set cbrange [t_min:t_max]
 set cblabel instant_label offset (cyclic ? 2.5 : 1),0

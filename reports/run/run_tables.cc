@@ -139,16 +139,6 @@ namespace swimtwin
     return table;
   }
 
-  HtmlTable provenance_table(const Provenance &provenance)
-  {
-    return {{},
-            {{{"program"}, {provenance.program_version}},
-             {{"command"}, {provenance.command_line}},
-             {{"scene hash"}, {provenance.scene_hash}},
-             {{"created"}, {provenance.created}}},
-            true};
-  }
-
   std::string in_body_lengths(const RunFolder &run, const double displacement_m)
   {
     return signed_number(displacement_m / run.scene->body_length_m(), n_digits_rounded);

@@ -24,7 +24,6 @@ namespace swimtwin
 
   /// What the program chose or was told.
   HtmlTable numerics_table(const Scene &scene);
-  HtmlTable provenance_table(const Provenance &provenance);
 
   /// A displacement (m) of a run whose scene is known.
   std::string in_body_lengths(const RunFolder &run, double displacement_m);

@@ -1,5 +1,6 @@
 #include <reports/run/shapes_picture.h>
 
+#include <reports/page/picture_extent.h>
 #include <reports/page/shown_units.h>
 #include <reports/run/run_scripts.h>
 #include <reports/run/swimmer_shapes.h>
@@ -86,7 +87,7 @@ namespace swimtwin
       return shapes;
     }
 
-    void add_path(const ShownRun &run, GnuplotTable &table, Extent &extent)
+    void add_path(const ShownRun &run, GnuplotTable &table, PictureExtent &extent)
     {
       table.begin_block(run.axis.label + ", x (mm), y (mm)");
       for (const TrajectoryRow &row : run.last_period())
@@ -94,21 +95,21 @@ namespace swimtwin
         const double x = mm * (run.has_tail() ? row.tail_tip_x_m : row.head_x_m);
         const double y = mm * (run.has_tail() ? row.tail_tip_y_m : row.head_y_m);
         table.add_row({run.time(row.time_s), x, y});
-        extent.add(x, y);
+        extent.add({x, y});
       }
     }
 
-    void add_outline(const double time, const Outline &outline, GnuplotTable &table, Extent &extent)
+    void add_outline(const double time, const Outline &outline, GnuplotTable &table, PictureExtent &extent)
     {
       for (std::size_t i = 0; i <= outline.size(); ++i)
       {
         const auto [x_m, y_m] = outline[i % outline.size()];
         table.add_row({time, mm * x_m, mm * y_m});
-        extent.add(mm * x_m, mm * y_m);
+        extent.add({mm * x_m, mm * y_m});
       }
     }
 
-    void add_shape(const Shape &shape, GnuplotTable &table, Extent &extent)
+    void add_shape(const Shape &shape, GnuplotTable &table, PictureExtent &extent)
     {
       table.begin_block("tail: time or phase, x (mm), y (mm)");
       for (const Outline &outline : shape.tail)
@@ -123,7 +124,7 @@ namespace swimtwin
     const bool     periodic = run.has_full_period();
     GnuplotPicture picture  = make_picture(run, "shapes", gnuplot_scripts::shapes, "Shapes of the swimmer",
                                           periodic ? "the last full period" : "the whole run");
-    Extent         extent(0.);
+    PictureExtent  extent;
     std::string    instants;
     add_path(run, picture.table, extent);
     for (const Shape &shape : run.has_tail() ? shapes_with_tail(run) : shapes_of_head(run))
@@ -131,7 +132,7 @@ namespace swimtwin
       add_shape(shape, picture.table, extent);
       instants += fmt::format("{}{:.6g}", instants.empty() ? "" : " ", shape.time);
     }
-    extent.assign_to(picture);
+    extent.set_in(picture);
     picture.set_text("instants", instants);
     picture.set_flag("cyclic", periodic);
     picture.set("t_min", periodic ? 0. : shown_time(run, run.trajectory.front().time_s));

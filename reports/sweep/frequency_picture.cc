@@ -1,8 +1,8 @@
 #include <reports/sweep/frequency_picture.h>
 
+#include <reports/page/frequency_axis.h>
 #include <reports/page/number_text.h>
 #include <reports/page/shown_units.h>
-#include <reports/run/run_picture.h>
 #include <reports/sweep/frequency_script.h>
 
 #include <fmt/format.h>
@@ -28,20 +28,15 @@ namespace swimtwin
                          curve.name);
     }
 
-    /// More than a decade is shown by its logarithm.
     void set_frequency_axis(GnuplotPicture &picture, const std::vector<FrequencyCurve> &curves)
     {
-      double lowest = curves.front().points.front().frequency_Hz, highest = lowest;
+      FrequencyAxis axis{curves.front().points.front().frequency_Hz, curves.front().points.back().frequency_Hz};
       for (const FrequencyCurve &curve : curves)
       {
-        lowest  = std::min(lowest, curve.points.front().frequency_Hz);
-        highest = std::max(highest, curve.points.back().frequency_Hz);
+        axis.lowest_Hz  = std::min(axis.lowest_Hz, curve.points.front().frequency_Hz);
+        axis.highest_Hz = std::max(axis.highest_Hz, curve.points.back().frequency_Hz);
       }
-      const double margin      = highest > lowest ? 0.04 * (highest - lowest) : 0.5; // a point needs some width too
-      const bool   logarithmic = lowest > 0. && highest > 10. * lowest;
-      picture.set_flag("logarithmic", logarithmic);
-      picture.set("f_min", logarithmic ? lowest / 1.15 : lowest - margin);
-      picture.set("f_max", logarithmic ? highest * 1.15 : highest + margin);
+      axis.set_in(picture);
     }
 
     void add_marks(GnuplotPicture &picture, const std::vector<FrequencyCurve> &curves, const FrequencyMarks &marks)
@@ -72,11 +67,9 @@ namespace swimtwin
   GnuplotPicture frequency_picture(const std::vector<FrequencyCurve> &curves, const std::string &sweep,
                                    const FrequencyMarks &marks)
   {
-    GnuplotPicture picture;
-    picture.name   = "displacement_frequency";
-    picture.script = gnuplot_scripts::displacement_frequency;
-    picture.set_text("heading", "Displacement per period against frequency");
-    picture.set_text("caption", fmt::format("{}: {}", sweep, finding(farthest(curves))));
+    GnuplotPicture picture = titled_picture("displacement_frequency", gnuplot_scripts::displacement_frequency,
+                                            "Displacement per period against frequency",
+                                            fmt::format("{}: {}", sweep, finding(farthest(curves))));
     set_frequency_axis(picture, curves);
     picture.set("every", symbol_interval(curves, marks));
     picture.set("n_curves", static_cast<double>(curves.size()));

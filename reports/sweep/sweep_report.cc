@@ -1,8 +1,8 @@
 #include <reports/sweep/sweep_report.h>
 
 #include <reports/page/number_text.h>
+#include <reports/page/provenance_section.h>
 #include <reports/page/shown_units.h>
-#include <reports/run/run_tables.h>
 
 #include <fmt/format.h>
 
@@ -106,14 +106,6 @@ namespace swimtwin
       if (!sweep.comments.empty())
         page.add_preformatted(sweep.comments);
     }
-
-    void add_origin(HtmlPage &page, const SweepOrigin &origin)
-    {
-      HtmlTable table = provenance_table(origin.provenance);
-      table.rows.push_back({{"reduced model"}, {fmt::format("{}, {} modes", origin.model_file, origin.n_modes)}});
-      page.add_heading("Provenance");
-      page.add_table(table);
-    }
   } // namespace
 
   HtmlPage sweep_page(const SweepFolder &sweep, const Illustrations &illustrations, const fs::path &page_folder)
@@ -128,7 +120,8 @@ namespace swimtwin
     if (sweep.table)
       add_rows(page, sweep);
     if (sweep.origin && sweep.comments.empty()) // older tables say it themselves
-      add_origin(page, *sweep.origin);
+      add_provenance(page, sweep.origin->provenance,
+                     {{"reduced model", fmt::format("{}, {} modes", sweep.origin->model_file, sweep.origin->n_modes)}});
     return page;
   }
 } // namespace swimtwin

@@ -138,6 +138,11 @@ namespace swimtwin
       expect_in(warning, "no pictures were drawn because `gnuplot --version` fails: libcaca.so.0: cannot open; put");
     }
     {
+      const FalseGnuplot program("#!/bin/sh\nkill -SEGV $$\n");
+      EXPECT_EQ(drawn(folder.path, warning), "");
+      expect_in(warning, "`gnuplot --version` fails: it was ended by signal 11; put");
+    }
+    {
       const FalseGnuplot program("no program", fs::perms::owner_read);
       const auto         fault = find_gnuplot_fault(); // the shell's rule: the next one in PATH
       EXPECT_TRUE(!fault || fault->cause.find("not installed") != std::string::npos);
