@@ -99,9 +99,17 @@ namespace swimtwin
           std::count_if(results.begin(), results.end(), [](const SweepResult &r) { return !r.trust.inside(); }));
     }
 
+    std::size_t n_not_computed(const std::vector<SweepResult> &results)
+    {
+      return results.size() - static_cast<std::size_t>(std::count_if(results.begin(), results.end(), was_computed));
+    }
+
     std::vector<std::string> doubts(const std::vector<SweepResult> &results)
     {
       std::vector<std::string> sentences;
+      if (const auto n = n_not_computed(results); n > 0)
+        sentences.push_back(
+            fmt::format("{} of {} rows were not computed; the column note says why", n, results.size()));
       if (const auto n = n_outside(results); n > 0)
       {
         const auto first =
@@ -179,13 +187,12 @@ namespace swimtwin
       record.n_threads                         = n_sweep_threads(options, results.size());
       record.n_members                         = results.size();
       record.n_outside_trained_range           = n_outside(results);
-      record.n_not_computed =
-          results.size() - static_cast<std::size_t>(std::count_if(results.begin(), results.end(), was_computed));
-      record.status     = record.n_not_computed == 0 ? "completed"
-                                                     : fmt::format("failed: {} of {} members were not computed",
-                                                                   record.n_not_computed, record.n_members);
-      record.provenance = {current_program_version, common.command_line, scene.text, scene.hash,
-                           utc_time_now(),          record.wall_time_s};
+      record.n_not_computed                    = n_not_computed(results);
+      record.status                            = record.n_not_computed == 0 ? "completed"
+                                                                            : fmt::format("failed: {} of {} members were not computed",
+                                                                                          record.n_not_computed, record.n_members);
+      record.provenance                        = {current_program_version, common.command_line, scene.text, scene.hash,
+                                                  utc_time_now(),          record.wall_time_s};
       write_files(common, model, results, record);
       for (const std::string &warning : record.warnings)
         fmt::print(stderr, "swimtwin: warning: {}\n", warning);

@@ -102,6 +102,22 @@ namespace swimtwin
     EXPECT_EQ(table.cells(1).back(), "ok");
   }
 
+  TEST_F(SweepVerb, WarnsOfRowsThatWereNotComputed)
+  {
+    const Outcome outcome = sweep({"--magnetization", "1e5,1e300", "--quiet"});
+    EXPECT_EQ(outcome.code, 0);
+    expect_in(outcome.errors, "warning: 1 of 2 rows were not computed; the column note says why");
+    const CsvTable table = CsvTable::read(folder.path / "results/displacement_frequency.csv");
+    ASSERT_EQ(table.n_rows(), 2u);
+    EXPECT_EQ(table.cells(1)[2], "");
+    EXPECT_EQ(table.cells(1)[10], "failed");
+    expect_in(table.cells(1).back(), "a rate is not finite");
+    const auto json = nlohmann::json::parse(content(folder.path / "results/sweep.json"));
+    EXPECT_EQ(json["not_computed"].at(0)["magnetization_A_m"], 1e300);
+    EXPECT_EQ(sweep_tool({"report", results, "--quiet"}).code, 0);
+    expect_in(content(folder.path / "results/report.html"), "1 of 2 rows were not computed");
+  }
+
   TEST_F(SweepVerb, RefusesWhereInertiaIsNotSmall)
   {
     expect_refusal(sweep({"--frequency", "1:12:3"}), "the unsteady group 2 pi rho f L^2 / mu is 4");
