@@ -49,12 +49,12 @@ namespace swimtwin
       return picked;
     }
 
-    struct Columns
+    struct TrackColumns
     {
       std::vector<double> time_s, x_m, y_m, angle_rad;
     };
 
-    Columns read_columns(const CsvTable &table, DataProblems &problems)
+    TrackColumns read_columns(const CsvTable &table, DataProblems &problems)
     {
       return {finite_cells(table, "time_s", "s of the camera's clock", problems),
               finite_cells(table, "x_m", "m", problems), finite_cells(table, "y_m", "m", problems),
@@ -62,7 +62,7 @@ namespace swimtwin
                                             : std::vector<double>()};
     }
 
-    HeadTrack make_track(const CsvTable &table, const Columns &columns, const std::vector<std::size_t> &rows,
+    HeadTrack make_track(const CsvTable &table, const TrackColumns &columns, const std::vector<std::size_t> &rows,
                          const double frequency_Hz, const double period_start_s, DataProblems &problems)
     {
       HeadTrack track{frequency_Hz,
@@ -88,9 +88,9 @@ namespace swimtwin
   std::vector<HeadTrack> head_tracks(const CsvTable &table, const Recording *recording, const double period_start_s,
                                      DataProblems &problems)
   {
-    DataProblems  own;
-    const Columns columns = read_columns(table, own);
-    const auto    groups  = rows_by_frequency(table, recording, own);
+    DataProblems       own;
+    const TrackColumns columns = read_columns(table, own);
+    const auto         groups  = rows_by_frequency(table, recording, own);
     if (!own.has_errors() && groups.empty())
       own.error(fmt::format("{}: there are no rows; a track needs a row per frame.", table.where_header()));
     std::vector<HeadTrack> tracks;

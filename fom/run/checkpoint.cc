@@ -2,6 +2,7 @@
 
 #include <datasets/error.h>
 #include <datasets/hdf5_file.h>
+#include <datasets/hdf5_open.h>
 
 #include <sstream>
 
@@ -199,12 +200,13 @@ namespace swimtwin
     file.write_attribute("/", "scene_hash", provenance.scene_hash);
     file.write_attribute("/", "scene_text", provenance.scene_text);
     file.write_attribute("/", "program_version", provenance.program_version);
-    file.save(path);
+    file.save(path, Seal::appended);
   }
 
   Checkpoint read_checkpoint(const std::filesystem::path &path, const Scene &scene)
   {
     const Hdf5Reader file(path);
+    require_seal(path, "start afresh with --force");
     if (file.read_text_attribute("/", "scene_hash") != scene.hash)
       throw InputError(path.string() +
                        " belongs to another scene or to other --set values: resume with the scene it was "
