@@ -75,6 +75,22 @@ namespace swimtwin
       return result;
     }
 
+    const std::string remedy_for_checkpoint = "start afresh with --force";
+
+    Hdf5Reader open_checkpoint(const std::filesystem::path &path)
+    {
+      try
+      {
+        return Hdf5Reader(path);
+      }
+      catch (const InputError &error)
+      {
+        std::string cause = error.what();
+        cause.pop_back(); // its full stop
+        throw InputError(cause + ", or " + remedy_for_checkpoint + ".");
+      }
+    }
+
     /// Time, pose and rates of an instant in a fixed order.
     void write_instant(Hdf5Writer &file, const std::string &group, const Instant<2> &instant)
     {
@@ -205,8 +221,8 @@ namespace swimtwin
 
   Checkpoint read_checkpoint(const std::filesystem::path &path, const Scene &scene)
   {
-    const Hdf5Reader file(path);
-    require_seal(path, "start afresh with --force");
+    const Hdf5Reader file = open_checkpoint(path);
+    require_seal(path, remedy_for_checkpoint);
     if (file.read_text_attribute("/", "scene_hash") != scene.hash)
       throw InputError(path.string() +
                        " belongs to another scene or to other --set values: resume with the scene it was "
