@@ -2,17 +2,18 @@
 #include <app/calibrate.h>
 
 #include <app/calibration_input.h>
+#include <app/claimed_folder.h>
 #include <app/full_order/full_order_build.h>
 #include <app/full_order/full_order_run.h>
 #include <app/progress_bar.h>
 #include <app/shipped_files.h>
 #include <app/verb.h>
+#include <app/written_files.h>
 #include <calibration/calibrate.h>
 #include <calibration/fitted_scene.h>
 #include <datasets/clocks.h>
 #include <datasets/csv_table.h>
 #include <datasets/error.h>
-#include <datasets/output_folder.h>
 #include <datasets/provenance.h>
 #include <reports/fit/calibration_files.h>
 #include <reports/fit/calibration_pictures.h>
@@ -122,35 +123,44 @@ namespace swimtwin
       if (!command.common.quiet)
         fmt::print("{}  nothing forbids a fit; warnings: {}\n", summary(input), warnings.size());
     }
+
+    void calibrate_in_folder(const CalibrateCommand &command, const CalibrationInput &input)
+    {
+      const auto &[model, problem, sets] = input;
+      const CommonOptions &common        = command.common;
+      const double         start         = wall_time_s();
+      CalibrationResult    result;
+      {
+        ProgressBar bar(common.quiet);
+        result = calibrate(model, problem, sets, options_of(command, model, bar));
+      }
+      complete(command, model, problem, sets, wall_time_s() - start, result);
+      write_calibration_files(common.output, result, fitted_scene(model, result.swimmer, sets.front(), common.output));
+      draw_and_write_page(command, result);
+      print_warnings(result.warnings);
+      if (!common.quiet)
+        fmt::print("{}  fit in {:.3g} s, uncertainty in {:.3g} s, {} runs of the reduced swimmer\n  results in {}\n",
+                   story(result), result.fit_time_s, result.uncertainty_time_s, result.n_runs, common.output.string());
+      if (result.status == "stalled")
+        throw ComputationError(fmt::format("the fit did not converge: {}; see {}", result.message,
+                                           (common.output / calibration_result_name).string()));
+    }
   } // namespace
 
   void calibrate_and_report(const CalibrateCommand &command)
   {
-    const CommonOptions &common = command.common;
     if (command.n_checks > 0)
       require_full_order_model("--verify");
-    if (common.output.empty())
+    if (command.common.output.empty())
       throw InputError(
           "--output is required: name a folder for the results, or say --check to look at problem and data "
           "without a fit.");
-    const auto [model, problem, sets] = read_calibration_input(command);
-    prepare_output_folder(common.output, calibration_file_names(), common.force);
-    const double      start = wall_time_s();
-    CalibrationResult result;
-    {
-      ProgressBar bar(common.quiet);
-      result = calibrate(model, problem, sets, options_of(command, model, bar));
-    }
-    complete(command, model, problem, sets, wall_time_s() - start, result);
-    write_calibration_files(common.output, result, fitted_scene(model, result.swimmer, sets.front(), common.output));
-    draw_and_write_page(command, result);
-    print_warnings(result.warnings);
-    if (!common.quiet)
-      fmt::print("{}  fit in {:.3g} s, uncertainty in {:.3g} s, {} runs of the reduced swimmer\n  results in {}\n",
-                 story(result), result.fit_time_s, result.uncertainty_time_s, result.n_runs, common.output.string());
-    if (result.status == "stalled")
-      throw ComputationError(fmt::format("the fit did not converge: {}; see {}", result.message,
-                                         (common.output / calibration_result_name).string()));
+    const CalibrationInput             input = read_calibration_input(command);
+    std::vector<std::filesystem::path> files{find_model(command.model), command.problem};
+    for (const ObservationSet &set : input.sets)
+      files.push_back(set.file);
+    work_in_folder(output_request(command.common, written_by::calibrate(), files),
+                   [&](const Begun &) { calibrate_in_folder(command, input); });
   }
 
   Work add_calibrate(CLI::App &tool, const std::string &command_line)

@@ -1,8 +1,10 @@
 // Verb demo: what the tool does, in a few minutes.
 #include <app/calibrate.h>
+#include <app/claimed_folder.h>
 #include <app/optimize.h>
 #include <app/shipped_files.h>
 #include <app/simulate.h>
+#include <app/written_files.h>
 #include <datasets/csv_table.h>
 #include <reports/page/draw_pictures.h>
 #include <reports/sweep/frequency_picture.h>
@@ -105,6 +107,27 @@ namespace swimtwin
       command.replay.steps_per_period = 100;
       optimize_and_report(command);
     }
+
+    /// Collective.
+    void show(const Scene &scene, const CommonOptions &common, const Begun &begun)
+    {
+      if (is_speaker() && !common.quiet)
+        fmt::print(
+            "The reference study's elastic magneto-swimmer (scene {}): a rigid magnetic head of {} x {} mm pulls a\n"
+            "tapered elastic tail of {} mm through glycerol, driven at {:.2g} Hz.\n",
+            scene.name, 1e3 * scene.head.size_m[0], 1e3 * scene.head.size_m[1], 1e3 * scene.tail->length_m,
+            1. / scene.time.period_s);
+      SimulateOptions options;
+      options.pictures = true;
+      simulate_and_report(scene, common, options);
+      begun();
+      if (is_speaker())
+      {
+        sweep_and_draw(scene, common);
+        fit(common);
+      }
+      plan_and_replay(common);
+    }
   } // namespace
 
   Work add_demo(CLI::App &tool, const std::string &command_line)
@@ -117,21 +140,8 @@ namespace swimtwin
     common->command_line = command_line;
     return [common] {
       const Scene scene = load_scene(*common);
-      if (is_speaker() && !common->quiet)
-        fmt::print(
-            "The reference study's elastic magneto-swimmer (scene {}): a rigid magnetic head of {} x {} mm pulls a\n"
-            "tapered elastic tail of {} mm through glycerol, driven at {:.2g} Hz.\n",
-            scene.name, 1e3 * scene.head.size_m[0], 1e3 * scene.head.size_m[1], 1e3 * scene.tail->length_m,
-            1. / scene.time.period_s);
-      SimulateOptions options;
-      options.pictures = true;
-      simulate_and_report(scene, *common, options);
-      if (is_speaker())
-      {
-        sweep_and_draw(scene, *common);
-        fit(*common);
-      }
-      plan_and_replay(*common);
+      work_in_folder_together(output_request(*common, written_by::demo(), {}),
+                              [&](const Begun &begun) { show(scene, *common, begun); });
     };
   }
 } // namespace swimtwin

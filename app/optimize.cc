@@ -1,18 +1,19 @@
 // Verb optimize: the field that swims fastest within what coils can play, and proof of it.
 #include <app/optimize.h>
 
+#include <app/claimed_folder.h>
 #include <app/full_order/field_replay.h>
 #include <app/full_order/full_order_build.h>
 #include <app/shipped_files.h>
 #include <app/value_list.h>
 #include <app/verb.h>
+#include <app/written_files.h>
 #include <control/field_import.h>
 #include <control/goal_file.h>
 #include <control/gradient_check.h>
 #include <control/measured_field.h>
 #include <datasets/error.h>
 #include <datasets/field_program_writer.h>
-#include <datasets/output_folder.h>
 #include <datasets/provenance.h>
 #include <reports/page/illustrated_page.h>
 #include <reports/page/number_text.h>
@@ -130,13 +131,19 @@ namespace swimtwin
       write_illustrated_page(command.common.output, plan_page(folder, drawn), drawn);
     }
 
-    PlanResult make_plan(const OptimizeCommand &command, const ReducedModel &model, const Scene &scene, GoalFile &file)
+    /// What a plan is made from, read before anything is written.
+    struct PlanInput
     {
-      std::vector<std::string> warnings;
-      import_program(file, warnings);
-      file.options.search.n_threads = command.n_threads;
-      if (!command.trade_off.empty())
-        file.options.trade_off = parse_values("--trade-off", command.trade_off, ValueRule::positive);
+      const ReducedModel             &model;
+      const Scene                    &scene;
+      GoalFile                       &file;
+      const std::vector<std::string> &warnings; ///< of its field program
+    };
+
+    PlanResult make_plan(const OptimizeCommand &command, const PlanInput &input)
+    {
+      const auto &[model, scene, file, warnings] = input;
+      file.options.search.n_threads              = command.n_threads;
       if (is_speaker() && !command.common.quiet)
         file.options.on_progress = [](const std::string &what) { fmt::print("  searching: {}\n", what); };
       PlanResult plan = plan_field(model, file.goal, reference_drive(scene), file.options, members_of(file.goal));
@@ -180,11 +187,27 @@ namespace swimtwin
         throw ComputationError(fmt::format("no field was found ({}): {}", plan.status, plan.message));
     }
 
+    void optimize_in_folder(const OptimizeCommand &command, const PlanInput &input)
+    {
+      const CommonOptions &common = command.common;
+      const ReducedModel  &model  = input.model;
+      if (is_speaker() && !common.quiet)
+        fmt::print("{}", model_card(model));
+      PlanResult plan = make_plan(command, input);
+      if (command.with_replay && is_usable(plan) && std::isfinite(plan.gain()))
+        plan.replay = replay_on_full_order_model(model, plan, common, command.replay);
+      if (!is_speaker())
+        return;
+      write_motions(model, plan, common.output / motion_folder_name);
+      write_field(common, plan);
+      write_plan_result(common.output / plan_name, plan);
+      draw_and_write_page(command, read_plan(common.output));
+      conclude(command, plan);
+    }
   } // namespace
 
   void optimize_and_report(const OptimizeCommand &command)
   {
-    const CommonOptions &common = command.common;
     if (command.with_replay)
       require_full_order_model("--replay");
     const ReducedModel model = read_reduced_model(find_model(command.model));
@@ -194,20 +217,16 @@ namespace swimtwin
       check_and_print(model, file, reference_drive(scene));
     if (command.check_gradients)
       return;
-    if (is_speaker())
-      prepare_output_folder(common.output, {plan_name, field_name, field_period_name, page_name}, common.force);
-    if (is_speaker() && !common.quiet)
-      fmt::print("{}", model_card(model));
-    PlanResult plan = make_plan(command, model, scene, file);
-    if (command.with_replay && is_usable(plan) && std::isfinite(plan.gain()))
-      plan.replay = replay_on_full_order_model(model, plan, common, command.replay);
-    if (!is_speaker())
-      return;
-    write_motions(model, plan, common.output / motion_folder_name);
-    write_field(common, plan);
-    write_plan_result(common.output / plan_name, plan);
-    draw_and_write_page(command, read_plan(common.output));
-    conclude(command, plan);
+    std::vector<std::string> warnings;
+    import_program(file, warnings);
+    if (!command.trade_off.empty())
+      file.options.trade_off = parse_values("--trade-off", command.trade_off, ValueRule::positive);
+    std::vector<std::filesystem::path> inputs{find_model(command.model), command.goal};
+    if (!file.program.empty())
+      inputs.push_back(file.program);
+    work_in_folder_together(output_request(command.common, written_by::optimize(), inputs), [&](const Begun &) {
+      optimize_in_folder(command, {model, scene, file, warnings});
+    });
   }
 
   Work add_optimize(CLI::App &tool, const std::string &command_line)

@@ -1,5 +1,7 @@
 // Verb plan: what will be solved, what is skipped and why, and what it will cost. Meshes, but solves nothing.
-#include <app/verb.h>
+#include <app/claimed_folder.h>
+#include <app/shipped_files.h>
+#include <app/written_files.h>
 #include <datasets/output_folder.h>
 #include <fom/run/run_plan.h>
 #include <reports/page/number_text.h>
@@ -34,6 +36,18 @@ namespace swimtwin
         text += fmt::format("Warning: {}\n", warning);
       return text;
     }
+
+    void plan_and_report(const Scene &scene, const CommonOptions &common)
+    {
+      const RunPlan plan = plan_run(scene, MPI_COMM_WORLD);
+      if (!is_speaker())
+        return;
+      const std::string text = describe(scene, plan);
+      if (!common.output.empty())
+        write_text_atomically(common.output / "plan.txt", text);
+      if (!common.quiet)
+        fmt::print("{}", text);
+    }
   } // namespace
 
   Work add_plan(CLI::App &tool, const std::string &command_line)
@@ -45,16 +59,10 @@ namespace swimtwin
     common->command_line = command_line;
     return [common] {
       const Scene scene = load_scene(*common);
-      if (is_speaker() && !common->output.empty())
-        prepare_output_folder(common->output, {"plan.txt"}, common->force);
-      const RunPlan plan = plan_run(scene, MPI_COMM_WORLD);
-      if (!is_speaker())
-        return;
-      const std::string text = describe(scene, plan);
-      if (!common->output.empty())
-        write_text_atomically(common->output / "plan.txt", text);
-      if (!common->quiet)
-        fmt::print("{}", text);
+      if (common->output.empty())
+        return plan_and_report(scene, *common);
+      work_in_folder_together(output_request(*common, written_by::plan(), {find_scene(common->scene)}),
+                              [&](const Begun &) { plan_and_report(scene, *common); });
     };
   }
 } // namespace swimtwin

@@ -1,8 +1,11 @@
 #include <app/ranks.h>
 
+#include <datasets/error.h>
+
 #include <mpi.h>
 
 #include <chrono>
+#include <string>
 #include <thread>
 
 namespace swimtwin
@@ -18,6 +21,26 @@ namespace swimtwin
   {
     if (!is_speaker())
       std::this_thread::sleep_for(std::chrono::seconds(2));
+  }
+
+  void agree(const std::function<void()> &on_speaker)
+  {
+    std::string refusal;
+    if (is_speaker())
+      try
+      {
+        on_speaker();
+      }
+      catch (const InputError &error)
+      {
+        refusal = error.what();
+      }
+    auto size = static_cast<unsigned long>(refusal.size());
+    MPI_Bcast(&size, 1, MPI_UNSIGNED_LONG, 0, MPI_COMM_WORLD);
+    refusal.resize(size);
+    MPI_Bcast(refusal.data(), static_cast<int>(size), MPI_CHAR, 0, MPI_COMM_WORLD);
+    if (!refusal.empty())
+      throw InputError(refusal);
   }
 
   void end_all_ranks(const int exit_code)

@@ -1,11 +1,12 @@
 // Verb reconstruct: one run of a reduced swimmer with the whole tail and, where this build has it, the flow.
+#include <app/claimed_folder.h>
 #include <app/full_order/flow_output.h>
 #include <app/full_order/full_order_build.h>
 #include <app/progress_bar.h>
 #include <app/shipped_files.h>
 #include <app/verb.h>
+#include <app/written_files.h>
 #include <datasets/error.h>
-#include <datasets/output_folder.h>
 #include <datasets/provenance.h>
 #include <datasets/run_summary_json.h>
 #include <reports/run/draw_run.h>
@@ -98,22 +99,14 @@ namespace swimtwin
                         });
     }
 
-    void reconstruct_and_report(const ReconstructCommand &command)
+    void reconstruct_in_folder(const ReconstructCommand &command, const ReducedModel &model, const Scene &scene,
+                               const RunRequest &request)
     {
-      const CommonOptions &common = command.common;
-      if (command.with_flow)
-        require_full_order_model("--flow");
-      const ReducedModel model   = read_reduced_model(find_model(command.model));
-      const Scene        scene   = scene_of_run(command, model);
-      RunRequest         request = sweep_options(scene, model).base;
-      request.n_periods          = n_periods(scene);
-      request.samples_per_period = command.n_instants;
-      prepare_output_folder(common.output, {"trajectory.csv", "summary.json", "snapshots.h5", "fields"}, common.force);
-
-      const SwimmerRun  motion  = run(model, request, command.relative_tolerance);
-      const RunSummary  summary = summary_of(motion, scene, trust_notes(model.range, request, motion));
-      const SnapshotSet shapes  = reconstruct(model.tail, request.drive, motion.snapshots);
-      const Provenance  provenance{
+      const CommonOptions &common  = command.common;
+      const SwimmerRun     motion  = run(model, request, command.relative_tolerance);
+      const RunSummary     summary = summary_of(motion, scene, trust_notes(model.range, request, motion));
+      const SnapshotSet    shapes  = reconstruct(model.tail, request.drive, motion.snapshots);
+      const Provenance     provenance{
           current_program_version, common.command_line, scene.text, scene.hash, utc_time_now(), 0.};
       if (command.with_flow)
         write_flow_with_progress(command, scene, model, request, motion);
@@ -132,6 +125,19 @@ namespace swimtwin
         fmt::print("  {} periods, net displacement of the last {:+.5g} mm, head first\n  {} instants in {}\n",
                    request.n_periods, 1e3 * summary.net_displacement_m, motion.snapshots.size(),
                    common.output.string());
+    }
+
+    void reconstruct_and_report(const ReconstructCommand &command)
+    {
+      if (command.with_flow)
+        require_full_order_model("--flow");
+      const ReducedModel model   = read_reduced_model(find_model(command.model));
+      const Scene        scene   = scene_of_run(command, model);
+      RunRequest         request = sweep_options(scene, model).base;
+      request.n_periods          = n_periods(scene);
+      request.samples_per_period = command.n_instants;
+      work_in_folder(output_request(command.common, written_by::simulate(), {find_model(command.model)}),
+                     [&](const Begun &) { reconstruct_in_folder(command, model, scene, request); });
     }
   } // namespace
 

@@ -1,6 +1,10 @@
 // Verb report: a page that shows the results in a folder.
+#include <app/claimed_folder.h>
 #include <app/verb.h>
+#include <app/written_files.h>
 #include <datasets/error.h>
+#include <datasets/folder_lock.h>
+#include <datasets/input_file.h>
 #include <datasets/output_folder.h>
 #include <datasets/provenance.h>
 #include <reports/fit/calibration_pictures.h>
@@ -35,7 +39,7 @@ namespace swimtwin
     class DrawingBoard
     {
     public:
-      explicit DrawingBoard(const fs::path &folder) : path(folder / ".report.partial") { clear(); }
+      explicit DrawingBoard(const fs::path &folder) : path(temporary_name(folder / "report.html.pictures")) { clear(); }
       DrawingBoard(const DrawingBoard &)            = delete;
       DrawingBoard &operator=(const DrawingBoard &) = delete;
       ~DrawingBoard() { clear(); }
@@ -134,7 +138,6 @@ namespace swimtwin
     template <typename Results>
     void write_page(const Results &results, const CommonOptions &options)
     {
-      prepare_output_folder(options.output, {page_name}, options.force);
       const DrawingBoard  board(options.output);
       const Illustrations illustrations = illustrate(results, board.path);
       HtmlPage            page          = page_of(results, illustrations, options.output);
@@ -145,27 +148,43 @@ namespace swimtwin
         fmt::print("report in {}\n", (options.output / page_name).string());
     }
 
-    void report(const ReportOptions &options)
+    void report_folder(const fs::path &folder, const CommonOptions &common)
     {
-      std::error_code unreadable;
-      if (!fs::is_directory(options.folder, unreadable))
-        throw InputError(
-            fmt::format("there is no folder {}; give the --output of an earlier command.", options.folder.string()));
-      CommonOptions common = options.common;
-      if (common.output.empty())
-        common.output = options.folder;
-      if (is_calibration(options.folder))
-        return write_page(CalibrationFolder{folder_name(options.folder),
-                                            read_calibration_result(options.folder / "calibration.json")},
+      if (is_calibration(folder))
+        return write_page(CalibrationFolder{folder_name(folder), read_calibration_result(folder / "calibration.json")},
                           common);
-      if (is_plan(options.folder))
-        return write_page(read_plan(options.folder), common);
-      if (!is_run(options.folder))
-        return write_page(read_sweep(options.folder), common);
-      const RunFolder run = read_run(options.folder);
+      if (is_plan(folder))
+        return write_page(read_plan(folder), common);
+      if (!is_run(folder))
+        return write_page(read_sweep(folder), common);
+      const RunFolder run = read_run(folder);
       write_page(run, common);
       if (!run.warning.empty())
         fmt::print(stderr, "swimtwin: {}\n", run.warning);
+    }
+
+    /// What is half-written must not be shown as a result.
+    void require_rest(const fs::path &folder)
+    {
+      if (const auto run = run_in(folder))
+        throw InputError(
+            fmt::format("a run goes on in {}: {}; make the page when it has ended.", folder.string(), *run));
+      std::error_code unreadable;
+      for (const fs::directory_entry &entry : fs::directory_iterator(folder, unreadable))
+        if (const auto run = run_in(entry.path()))
+          fmt::print(stderr, "swimtwin: warning: a run goes on in {}: {}; its results are not on the page\n",
+                     entry.path().string(), *run);
+    }
+
+    void report(const ReportOptions &options)
+    {
+      require_folder(options.folder, "give the --output of an earlier command");
+      require_rest(options.folder);
+      CommonOptions common = options.common;
+      if (common.output.empty())
+        common.output = options.folder;
+      work_in_folder(output_request(common, written_by::report(), {}),
+                     [&](const Begun &) { report_folder(options.folder, common); });
     }
   } // namespace
 

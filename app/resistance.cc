@@ -1,5 +1,7 @@
 // Verb resistance: the rigid resistance matrix of a scene's swimmer at rest.
-#include <app/verb.h>
+#include <app/claimed_folder.h>
+#include <app/shipped_files.h>
+#include <app/written_files.h>
 #include <datasets/error.h>
 #include <datasets/output_folder.h>
 #include <datasets/provenance.h>
@@ -47,6 +49,20 @@ namespace swimtwin
         fmt::print("{} {:16.8e} {:16.8e} {:16.8e}\n", rows[i], result.matrix(i, 0), result.matrix(i, 1),
                    result.matrix(i, 2));
     }
+
+    void compute_and_report(const Scene &scene, const CommonOptions &common)
+    {
+      const auto       start = std::chrono::steady_clock::now();
+      const Swimmer<2> swimmer(scene, MPI_COMM_WORLD);
+      const auto       result = compute_resistance(swimmer, swimmer.configuration_at_rest(), MPI_COMM_WORLD);
+      if (!is_speaker())
+        return;
+      const double wall_time_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      write_text_atomically(common.output / "resistance.json",
+                            to_json(result, scene, common.command_line, wall_time_s).dump(2) + "\n");
+      if (!common.quiet)
+        print(result);
+    }
   } // namespace
 
   Work add_resistance(CLI::App &tool, const std::string &command_line)
@@ -58,21 +74,11 @@ namespace swimtwin
     add_common_options(*verb, *common, OutputFolder::required);
     common->command_line = command_line;
     return [common] {
-      const auto  start = std::chrono::steady_clock::now();
       const Scene scene = load_scene(*common);
       if (!scene.fluid)
         throw InputError(scene.name + " has no [fluid]: a resistance matrix needs one; add [fluid] and [domain]");
-      if (is_speaker())
-        prepare_output_folder(common->output, {"resistance.json"}, common->force);
-      const Swimmer<2> swimmer(scene, MPI_COMM_WORLD);
-      const auto       result = compute_resistance(swimmer, swimmer.configuration_at_rest(), MPI_COMM_WORLD);
-      if (!is_speaker())
-        return;
-      const double wall_time_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-      write_text_atomically(common->output / "resistance.json",
-                            to_json(result, scene, common->command_line, wall_time_s).dump(2) + "\n");
-      if (!common->quiet)
-        print(result);
+      work_in_folder_together(output_request(*common, written_by::resistance(), {find_scene(common->scene)}),
+                              [&](const Begun &) { compute_and_report(scene, *common); });
     };
   }
 } // namespace swimtwin

@@ -1,5 +1,13 @@
 #include <app/shipped_files.h>
 
+#include <datasets/error.h>
+#include <datasets/nearest_name.h>
+
+#include <fmt/format.h>
+
+#include <string>
+#include <vector>
+
 namespace swimtwin
 {
   namespace fs = std::filesystem;
@@ -16,11 +24,31 @@ namespace swimtwin
       return SWIMTWIN_DATASETS;
     }
 
+    /// "; the nearest name that is shipped is open-2d", if one is close.
+    std::string hint(const std::string &name, const fs::path &folder, const char *extension)
+    {
+      std::error_code          ignored;
+      std::vector<std::string> shipped;
+      for (const auto &entry : fs::directory_iterator(folder, ignored))
+        if (entry.path().extension() == extension)
+          shipped.push_back(entry.path().stem().string());
+      const auto near = close_name(name, shipped);
+      return near ? fmt::format("; the nearest name that is shipped is {}", *near) : "";
+    }
+
     /// A file as it is named, or the shipped one of that name.
     fs::path file_or_shipped(const std::string &name, const char *folder, const char *extension)
     {
-      const fs::path shipped = shipped_datasets() / folder / (name + extension);
-      return !fs::is_regular_file(name) && fs::exists(shipped) ? shipped : fs::path(name);
+      std::error_code ignored;
+      const fs::path  shipped = shipped_datasets() / folder / (name + extension);
+      if (fs::exists(name, ignored) && !(fs::is_directory(name, ignored) && fs::exists(shipped, ignored)))
+        return name;
+      if (fs::exists(shipped, ignored))
+        return shipped;
+      const bool is_plain = fs::path(name).filename() == name && !fs::path(name).has_extension();
+      if (const std::string near = is_plain ? hint(name, shipped.parent_path(), extension) : ""; !near.empty())
+        throw InputError(fmt::format("cannot read {}: there is no such file{}.", name, near));
+      return name;
     }
   } // namespace
 

@@ -1,12 +1,13 @@
 // Verb sweep: displacement against frequency, and against whatever else, on a reduced model.
+#include <app/claimed_folder.h>
 #include <app/progress_bar.h>
 #include <app/shipped_files.h>
 #include <app/value_list.h>
 #include <app/verb.h>
+#include <app/written_files.h>
 #include <datasets/clocks.h>
 #include <datasets/dimensionless_groups.h>
 #include <datasets/error.h>
-#include <datasets/output_folder.h>
 #include <datasets/provenance.h>
 #include <reports/page/draw_pictures.h>
 #include <reports/page/number_text.h>
@@ -155,16 +156,30 @@ namespace swimtwin
       write_sweep_summary(common.output / sweep_summary_name, model, results, record);
     }
 
-    void sweep_and_report(const SweepCommand &command, const SweepAxes &axes)
+    /// What a sweep knows before it writes anything.
+    struct SweepSetup
     {
-      const CommonOptions &common  = command.common;
-      const ReducedModel   model   = load_model(command);
-      const Scene          scene   = parse_scene(model.scene_text, model.scene_name + ".toml");
-      SweepOptions         options = options_of(command, scene, model);
-      SweepRecord          record;
-      if (const std::string doubt = inertia_doubt(scene, axes, options.base, command.allow_inertia); !doubt.empty())
-        record.warnings.push_back(doubt);
-      prepare_output_folder(common.output, {sweep_table_name, sweep_data_name, sweep_summary_name}, common.force);
+      ReducedModel model;
+      Scene        scene;
+      SweepOptions options;
+      SweepRecord  record;
+    };
+
+    SweepSetup set_up(const SweepCommand &command, const SweepAxes &axes)
+    {
+      SweepSetup setup{load_model(command), {}, {}, {}};
+      setup.scene             = parse_scene(setup.model.scene_text, setup.model.scene_name + ".toml");
+      setup.options           = options_of(command, setup.scene, setup.model);
+      const std::string doubt = inertia_doubt(setup.scene, axes, setup.options.base, command.allow_inertia);
+      if (!doubt.empty())
+        setup.record.warnings.push_back(doubt);
+      return setup;
+    }
+
+    void sweep_in_folder(const SweepCommand &command, const SweepAxes &axes, SweepSetup &setup)
+    {
+      auto &[model, scene, options, record] = setup;
+      const CommonOptions &common           = command.common;
       if (!common.quiet)
         fmt::print("{}", model_card(model));
 
@@ -207,6 +222,13 @@ namespace swimtwin
           "the error indicator\n  results in {}\n",
           peak_table(curves), results.size(), record.wall_time_s, record.n_threads,
           1e3 * record.cpu_time_s / static_cast<double>(results.size()), common.output.string());
+    }
+
+    void sweep_and_report(const SweepCommand &command, const SweepAxes &axes)
+    {
+      SweepSetup setup = set_up(command, axes);
+      work_in_folder(output_request(command.common, written_by::sweep(), {find_model(command.model)}),
+                     [&](const Begun &) { sweep_in_folder(command, axes, setup); });
     }
   } // namespace
 

@@ -1,10 +1,11 @@
 #include <app/target.h>
 
+#include <app/claimed_folder.h>
 #include <app/full_order/full_order_plant.h>
 #include <app/shipped_files.h>
+#include <app/written_files.h>
 #include <datasets/clocks.h>
 #include <datasets/error.h>
-#include <datasets/output_folder.h>
 #include <datasets/provenance.h>
 #include <reports/page/draw_pictures.h>
 #include <reports/plan/target_pictures.h>
@@ -72,40 +73,47 @@ namespace swimtwin
                    share(record.replay->back().distance_m));
       fmt::print("  results in {}\n", common.output.string());
     }
+
+    void reach_in_folder(const TrackCommand &command, const ReducedModel &model, const Scene &scene,
+                         TargetRecord &record)
+    {
+      const CommonOptions &common = command.common;
+      const ReducedSwimmer swimmer(model);
+      if (!common.quiet)
+        fmt::print("{}", model_card(model));
+      const double start = wall_time_s();
+      record.way         = fastest_way(swimmer, record.goal.swimmer, record.goal.carrier, record.goal.start,
+                                       record.goal.target_m, record.goal.options);
+      if (record.way.found())
+        add_swim(swimmer, record);
+      if (record.way.found() && command.with_replay)
+        add_replay(scene, record);
+      record.provenance = {current_program_version, common.command_line,  scene.text, scene.hash,
+                           utc_time_now(),          wall_time_s() - start};
+      write(command, record);
+      for (const std::string &warning : record.warnings)
+        fmt::print(stderr, "swimtwin: warning: {}\n", warning);
+      if (!record.way.found())
+        throw InputError(
+            fmt::format("{}: the target is infeasible: {}; allow more time or a wider [target] distance, or "
+                        "choose a nearer one.",
+                        command.goal, record.message()));
+      if (!common.quiet)
+        print(record, common);
+    }
   } // namespace
 
   void reach_and_report(const TrackCommand &command)
   {
-    const CommonOptions &common = command.common;
-    const ReducedModel   model  = read_reduced_model(find_model(command.model));
-    const Scene          scene  = parse_scene(model.scene_text, model.scene_name + ".toml");
-    const ReducedSwimmer swimmer(model);
-    TargetRecord         record;
+    const ReducedModel model = read_reduced_model(find_model(command.model));
+    const Scene        scene = parse_scene(model.scene_text, model.scene_name + ".toml");
+    TargetRecord       record;
     record.goal          = read_target_goal(command.goal, model);
-    record.body_length_m = swimmer.length_m();
+    record.body_length_m = ReducedSwimmer(model).length_m();
     record.model_file    = find_model(command.model).string();
     if (command.with_replay)
       make_full_order_plant(scene, {record.goal.steps_per_second, record.goal.carrier.frequency_Hz}); // or refuse now
-    prepare_output_folder(common.output, track_file_names(), common.force);
-    if (!common.quiet)
-      fmt::print("{}", model_card(model));
-    const double start = wall_time_s();
-    record.way = fastest_way(swimmer, record.goal.swimmer, record.goal.carrier, record.goal.start, record.goal.target_m,
-                             record.goal.options);
-    if (record.way.found())
-      add_swim(swimmer, record);
-    if (record.way.found() && command.with_replay)
-      add_replay(scene, record);
-    record.provenance = {current_program_version, common.command_line,  scene.text, scene.hash,
-                         utc_time_now(),          wall_time_s() - start};
-    write(command, record);
-    for (const std::string &warning : record.warnings)
-      fmt::print(stderr, "swimtwin: warning: {}\n", warning);
-    if (!record.way.found())
-      throw InputError(fmt::format("{}: the target is infeasible: {}; allow more time or a wider [target] distance, or "
-                                   "choose a nearer one.",
-                                   command.goal, record.message()));
-    if (!common.quiet)
-      print(record, common);
+    work_in_folder(output_request(command.common, written_by::optimize(), {find_model(command.model), command.goal}),
+                   [&](const Begun &) { reach_in_folder(command, model, scene, record); });
   }
 } // namespace swimtwin

@@ -1,13 +1,14 @@
 // Verb track: a field that leads the swimmer along a path, planned ahead or decided in real time, or to a target.
 #include <app/track.h>
 
+#include <app/claimed_folder.h>
 #include <app/full_order/full_order_plant.h>
 #include <app/progress_bar.h>
 #include <app/shipped_files.h>
 #include <app/target.h>
+#include <app/written_files.h>
 #include <datasets/clocks.h>
 #include <datasets/error.h>
-#include <datasets/output_folder.h>
 #include <datasets/provenance.h>
 #include <reports/page/draw_pictures.h>
 #include <reports/plan/track_pictures.h>
@@ -103,39 +104,54 @@ namespace swimtwin
         write_track_table(common.output / replay_table_name, *record.replay);
       write_track_summary(common.output / track_summary_name, record);
     }
+
+    struct Swimmers
+    {
+      const ReducedModel   &model;
+      const ReducedSwimmer &swimmer;
+      Plant                *replayed_on; ///< null without a replay
+    };
+
+    void track_in_folder(const TrackCommand &command, const Swimmers &swimmers, TrackRecord &record)
+    {
+      const auto &[model, swimmer, replayed_on] = swimmers;
+      const CommonOptions &common               = command.common;
+      const Scene          scene                = parse_scene(model.scene_text, model.scene_name + ".toml");
+      if (!common.quiet)
+        fmt::print("{}", model_card(model));
+      const double start = wall_time_s();
+      ProgressBar  bar(common.quiet);
+      record.goal.options.on_progress = [&](const double share) {
+        bar.show(static_cast<int>(1000. * share), 1000, static_cast<int>(1000. * share), wall_time_s() - start);
+      };
+      record.result = swim(model, swimmer, record.goal);
+      if (replayed_on != nullptr)
+        record.replay = play_plan(swimmer, record.goal.believed, record.result, *replayed_on, record.goal.options);
+      record.body_length_m = swimmer.length_m();
+      record.model_file    = find_model(command.model).string();
+      record.provenance    = {current_program_version, common.command_line,  scene.text, scene.hash,
+                              utc_time_now(),          wall_time_s() - start};
+      write(common, record);
+      draw(command, record);
+      if (!common.quiet)
+        print(record, common);
+      if (record.result.status == TrackStatus::failed)
+        throw ComputationError(record.result.message);
+    }
   } // namespace
 
   void track_and_report(const TrackCommand &command)
   {
-    const CommonOptions &common = command.common;
-    const ReducedModel   model  = read_reduced_model(find_model(command.model));
-    const Scene          scene  = parse_scene(model.scene_text, model.scene_name + ".toml");
+    const ReducedModel   model = read_reduced_model(find_model(command.model));
     const ReducedSwimmer swimmer(model);
     TrackRecord          record;
     record.goal            = read_tracking_goal(command.goal, model);
     const bool has_replay  = command.with_replay && record.goal.kind == TrackingKind::path;
     const auto replayed_on = has_replay ? full_order_plant(model, record.goal) : nullptr;
-    prepare_output_folder(common.output, track_file_names(), common.force);
-    if (!common.quiet)
-      fmt::print("{}", model_card(model));
-    const double start = wall_time_s();
-    ProgressBar  bar(common.quiet);
-    record.goal.options.on_progress = [&](const double share) {
-      bar.show(static_cast<int>(1000. * share), 1000, static_cast<int>(1000. * share), wall_time_s() - start);
-    };
-    record.result = swim(model, swimmer, record.goal);
-    if (has_replay)
-      record.replay = play_plan(swimmer, record.goal.believed, record.result, *replayed_on, record.goal.options);
-    record.body_length_m = swimmer.length_m();
-    record.model_file    = find_model(command.model).string();
-    record.provenance    = {current_program_version, common.command_line,  scene.text, scene.hash,
-                            utc_time_now(),          wall_time_s() - start};
-    write(common, record);
-    draw(command, record);
-    if (!common.quiet)
-      print(record, common);
-    if (record.result.status == TrackStatus::failed)
-      throw ComputationError(record.result.message);
+    work_in_folder(output_request(command.common, written_by::optimize(), {find_model(command.model), command.goal}),
+                   [&](const Begun &) {
+                     track_in_folder(command, {model, swimmer, replayed_on.get()}, record);
+                   });
   }
 
   Work add_track(CLI::App &tool, const std::string &command_line)

@@ -1,8 +1,11 @@
 // Verb train: a reduced swimmer from a scene.
+#include <app/claimed_folder.h>
 #include <app/progress_bar.h>
 #include <app/ranks.h>
+#include <app/shipped_files.h>
 #include <app/value_list.h>
 #include <app/verb.h>
+#include <app/written_files.h>
 #include <datasets/dimensionless_groups.h>
 #include <datasets/error.h>
 #include <datasets/output_folder.h>
@@ -68,26 +71,12 @@ namespace swimtwin
                         group, range.frequency_Hz.high, range.viscosity_Pa_s.low, largest_unsteady_group));
     }
 
-    /// False if there is nothing left to do. Called on rank 0 before others touch the folder.
-    bool prepare_folder(const TrainCommand &command)
+    /// Whether a training that is resumed has nothing left to do: rank 0 looks, the others learn it.
+    bool nothing_to_resume(const std::filesystem::path &folder)
     {
-      const auto &folder   = command.common.output;
-      const bool  complete = std::filesystem::exists(folder / "model.h5");
-      const bool  started  = std::filesystem::exists(folder / "runs") || std::filesystem::exists(folder / "samples.h5");
-      if (command.resume)
-      {
-        prepare_output_folder(folder, {}, true);
-        return !complete;
-      }
-      if (started && !complete && !command.common.force)
-        throw InputError(
-            fmt::format("{} holds a training that was interrupted: go on with --resume, or start afresh with "
-                        "--force",
-                        folder.string()));
-      prepare_output_folder(folder, training_results(), command.common.force);
-      for (const auto &name : training_results())
-        std::filesystem::remove_all(folder / name);
-      return true;
+      bool complete = is_speaker() && std::filesystem::exists(folder / "model.h5");
+      MPI_Bcast(&complete, sizeof complete, MPI_BYTE, 0, MPI_COMM_WORLD);
+      return complete;
     }
 
     /// One line per stage on the terminal.
@@ -121,6 +110,28 @@ namespace swimtwin
       std::unique_ptr<ProgressBar>          bar_;
     };
 
+    void train_in_folder(TrainCommand &command, const Scene &scene, const Begun &begun)
+    {
+      TrainingOptions &own   = command.training;
+      const bool       quiet = command.common.quiet || !is_speaker();
+      if (command.resume && nothing_to_resume(own.folder))
+      {
+        if (!quiet)
+          fmt::print("{} is complete: nothing to resume\n", own.folder.string());
+        return;
+      }
+      StageBar bar(quiet);
+      own.on_progress = [&](const std::string &stage, const int done, const int total) {
+        begun();
+        bar.show(stage, done, total);
+      };
+      const ReducedModel model = train(scene, own, MPI_COMM_WORLD);
+      if (is_speaker())
+        write_text_atomically(own.folder / "model-card.txt", model_card(model));
+      if (!quiet)
+        fmt::print("{}  results in {}\n", model_card(model), own.folder.string());
+    }
+
     void train_and_report(TrainCommand &command)
     {
       const Scene scene = load_scene(command.common);
@@ -133,26 +144,11 @@ namespace swimtwin
       require_small_inertia(command, scene, own.range);
       for (const auto &file : own.snapshots)
         read_snapshots(file); // refused now rather than after the runs
-      bool go_on = true;
-      if (is_speaker())
-        go_on = prepare_folder(command);
-      MPI_Bcast(&go_on, sizeof go_on, MPI_BYTE, 0, MPI_COMM_WORLD);
-      const bool quiet = command.common.quiet || !is_speaker();
-      if (!go_on)
-      {
-        if (!quiet)
-          fmt::print("{} is complete: nothing to resume\n", own.folder.string());
-        return;
-      }
-      StageBar bar(quiet);
-      own.on_progress = [&](const std::string &stage, const int done, const int total) {
-        bar.show(stage, done, total);
-      };
-      const ReducedModel model = train(scene, own, MPI_COMM_WORLD);
-      if (is_speaker())
-        write_text_atomically(own.folder / "model-card.txt", model_card(model));
-      if (!quiet)
-        fmt::print("{}  results in {}\n", model_card(model), own.folder.string());
+      std::vector<std::filesystem::path> inputs = own.snapshots;
+      inputs.push_back(find_scene(command.common.scene));
+      OutputRequest request = output_request(command.common, written_by::train(), inputs);
+      request.resume        = command.resume;
+      work_in_folder_together(request, [&](const Begun &begun) { train_in_folder(command, scene, begun); });
     }
   } // namespace
 

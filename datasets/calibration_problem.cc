@@ -1,6 +1,7 @@
 #include <datasets/calibration_problem.h>
 #include <datasets/csv_table.h>
 #include <datasets/error.h>
+#include <datasets/nearest_name.h>
 #include <datasets/toml_table.h>
 
 #include <fmt/format.h>

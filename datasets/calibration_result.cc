@@ -1,5 +1,4 @@
 #include <datasets/calibration_result.h>
-#include <datasets/csv_table.h>
 #include <datasets/error.h>
 #include <datasets/json_entries.h>
 
@@ -243,15 +242,11 @@ namespace swimtwin
 
   CalibrationResult read_calibration_result(const std::filesystem::path &file)
   {
-    const std::string text = read_text_file(file, "the result of a calibration");
+    const Json        json = read_json_file(file, "the result of a calibration", "run `swimtwin calibrate` again");
     CalibrationResult result;
     try
     {
-      read_json(Json::parse(text), result);
-    }
-    catch (const Json::parse_error &)
-    {
-      throw InputError(fmt::format("{} is not JSON, or was cut short; run `swimtwin calibrate` again.", file.string()));
+      read_json(json, result);
     }
     catch (const InputError &error)
     {

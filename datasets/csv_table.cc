@@ -4,12 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstring>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 
 namespace swimtwin
@@ -60,18 +56,6 @@ namespace swimtwin
       return value;
     }
   } // namespace
-
-  std::string read_text_file(const std::filesystem::path &file, const std::string &what)
-  {
-    std::error_code error;
-    const bool      is_folder = std::filesystem::is_directory(file, error);
-    errno                     = 0;
-    std::ifstream stream(file, std::ios::binary);
-    if (is_folder || !stream)
-      throw InputError(fmt::format("cannot read {} {}: {}.", what, file.string(),
-                                   std::strerror(is_folder ? EISDIR : (errno != 0 ? errno : EIO))));
-    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  }
 
   CsvTable CsvTable::read(const std::filesystem::path &file)
   {

@@ -1,6 +1,8 @@
 // A CSV file of numbers: a header line of column names, then one row per line.
 #pragma once
 
+#include <datasets/input_file.h>
+
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -50,7 +52,4 @@ namespace swimtwin
     std::vector<std::string> header_;
     std::vector<Row>         rows_;
   };
-
-  /// Content of a file; InputError `cannot read X: <cause>` names it as `what` ("the scene", ...).
-  std::string read_text_file(const std::filesystem::path &file, const std::string &what);
 } // namespace swimtwin

@@ -1,12 +1,12 @@
 #include <datasets/error.h>
 #include <datasets/hdf5_file.h>
+#include <datasets/hdf5_open.h>
 #include <datasets/output_folder.h>
 
 #include <fmt/format.h>
 #include <hdf5.h>
 
 #include <array>
-#include <fstream>
 #include <type_traits>
 #include <utility>
 
@@ -20,12 +20,6 @@ namespace swimtwin
 
     template <typename Scalar>
     using RowMajor = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-    /// Failures are reported by our exceptions, not by HDF5's own printing.
-    void silence_hdf5()
-    {
-      H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-    }
 
     /// What cannot fail with memory at hand: a failure is a defect (a path written twice, say) or a lack of memory.
     std::int64_t composed(const std::int64_t result, const std::string &what)
@@ -66,19 +60,6 @@ namespace swimtwin
     {
       text.erase(text.find_last_not_of('\0') + 1);
       return text;
-    }
-
-    /// Open for reading, or say why not.
-    std::int64_t open_file(const std::string &name)
-    {
-      silence_hdf5();
-      std::error_code error;
-      if (!std::filesystem::is_regular_file(name, error))
-        throw InputError(fmt::format("cannot read {}: there is no such file.", name));
-      const hid_t file = H5Fopen(name.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
-      if (file < 0)
-        throw InputError(fmt::format("cannot read {}: it is not an HDF5 file, or it was cut short.", name));
-      return file;
     }
   } // namespace
 
@@ -173,7 +154,7 @@ namespace swimtwin
     composed(H5Awrite(attribute.id(), H5T_NATIVE_DOUBLE, &value), path + " " + name);
   }
 
-  void Hdf5Writer::save(const std::filesystem::path &file) const
+  void Hdf5Writer::save(const std::filesystem::path &file, const Seal seal) const
   {
     composed(H5Fflush(file_.id(), H5F_SCOPE_LOCAL), file.string());
     // H5Fget_file_image copies, and its copy of a 1.8 file has a wrong checksum: ask it for the size only
@@ -181,10 +162,16 @@ namespace swimtwin
     void        **memory = nullptr;
     composed(size, file.string());
     composed(H5Fget_vfd_handle(file_.id(), H5P_DEFAULT, reinterpret_cast<void **>(&memory)), file.string());
-    write_text_atomically(file, {static_cast<const char *>(*memory), static_cast<std::size_t>(size)});
+    std::string image(static_cast<const char *>(*memory), static_cast<std::size_t>(size));
+    if (seal == Seal::appended)
+      image += seal_of(image);
+    write_text_atomically(file, image);
   }
 
-  Hdf5Reader::Hdf5Reader(const std::filesystem::path &file) : name_(file.string()), file_(open_file(name_), H5Fclose) {}
+  Hdf5Reader::Hdf5Reader(const std::filesystem::path &file)
+      : name_(file.string()), file_(open_hdf5_file(name_), H5Fclose)
+  {
+  }
 
   void Hdf5Reader::refuse(const std::string &path, const std::string &problem) const
   {
@@ -193,10 +180,16 @@ namespace swimtwin
 
   bool Hdf5Reader::contains(const std::string &path) const
   {
+    const auto has_link = [&](const std::string &link) {
+      const int exists = H5Lexists(file_.id(), link.c_str(), H5P_DEFAULT);
+      if (exists < 0)
+        refuse(path, "cannot be looked up; the file is damaged.");
+      return exists > 0;
+    };
     for (std::size_t slash = path.find('/', 1); slash != std::string::npos; slash = path.find('/', slash + 1))
-      if (H5Lexists(file_.id(), path.substr(0, slash).c_str(), H5P_DEFAULT) <= 0)
+      if (!has_link(path.substr(0, slash)))
         return false;
-    return path == "/" || H5Lexists(file_.id(), path.c_str(), H5P_DEFAULT) > 0;
+    return path == "/" || has_link(path);
   }
 
   bool Hdf5Reader::has_attribute(const std::string &path, const std::string &name) const

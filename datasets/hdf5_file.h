@@ -37,6 +37,9 @@ namespace swimtwin
     Close        close_;
   };
 
+  /// Whether a checksum stands behind the content (see require_seal).
+  enum class Seal { none, appended };
+
   /// Composes a file in memory and writes it as a whole: HDF5 itself never meets a full disk, from which its caches do
   /// not recover. Paths are absolute ("/tail/nodes_m"); groups on the way are created. Matrices are stored row by row.
   class Hdf5Writer
@@ -56,7 +59,7 @@ namespace swimtwin
     void write_attribute(const std::string &path, const std::string &name, double value);
 
     /// Write everything to a temporary name, then rename. Throws ComputationError naming the file and the cause.
-    void save(const std::filesystem::path &file) const;
+    void save(const std::filesystem::path &file, Seal seal = Seal::none) const;
 
   private:
     void write_array(const std::string &path, const void *values, const std::vector<std::size_t> &extents,

@@ -1,3 +1,4 @@
+#include <datasets/input_file.h>
 #include <datasets/json_entries.h>
 #include <datasets/output_folder.h>
 
@@ -83,6 +84,23 @@ namespace swimtwin
       if (list[i].size() != rows.cols())
         throw InputError("has rows of different lengths");
       rows.row(static_cast<Eigen::Index>(i)) = list[i];
+    }
+  }
+
+  Json read_json_file(const std::filesystem::path &file, const std::string &what, const std::string &remedy)
+  {
+    const std::string text = read_text_file(file, what);
+    try
+    {
+      return Json::parse(text);
+    }
+    catch (const Json::parse_error &error)
+    {
+      const bool at_end = error.byte > text.size(); // the parser asked for more than there is
+      throw InputError(fmt::format("{} {}; {}.", file.string(),
+                                   at_end ? "was cut short: it ends in the middle of its JSON"
+                                          : fmt::format("is not JSON (byte {} of {})", error.byte, text.size()),
+                                   remedy));
     }
   }
 

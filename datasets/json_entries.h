@@ -142,6 +142,10 @@ namespace swimtwin
     for_each_entry(value, [&json](const char *key, auto &member) { read_entry(json, key, member); });
   }
 
+  /// `what` and `remedy` are for the InputError: "the summary", "simulate again". Told apart are what read_text_file
+  /// does, JSON that was cut short, and what is not JSON.
+  Json read_json_file(const std::filesystem::path &file, const std::string &what, const std::string &remedy);
+
   /// Indented; bytes that are not UTF-8 are replaced. Written to a temporary name, then renamed.
   void write_json_file(const std::filesystem::path &file, const Json &json);
 } // namespace swimtwin

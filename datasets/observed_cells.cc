@@ -1,3 +1,4 @@
+#include <datasets/nearest_name.h>
 #include <datasets/observed_cells.h>
 #include <datasets/toml_table.h>
 

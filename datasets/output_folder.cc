@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <fcntl.h>
+#include <random>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
@@ -71,10 +72,7 @@ namespace swimtwin
     class PartialFile
     {
     public:
-      explicit PartialFile(const fs::path &final_name)
-          : path(final_name.parent_path() / fmt::format(".{}.partial", final_name.filename().string()))
-      {
-      }
+      explicit PartialFile(const fs::path &final_name) : path(temporary_name(final_name)) {}
       PartialFile(const PartialFile &)            = delete;
       PartialFile &operator=(const PartialFile &) = delete;
       ~PartialFile()
@@ -108,11 +106,18 @@ namespace swimtwin
       return code == std::errc::no_space_on_device ? "; free some space and run again" : "";
     }
 
-    bool is_writable(const fs::path &folder)
+    /// Of this process, on whatever machine.
+    const std::string &process_mark()
     {
-      return ::access(folder.c_str(), W_OK | X_OK) == 0;
+      static const std::string mark = fmt::format("{}-{:08x}", ::getpid(), std::random_device()());
+      return mark;
     }
   } // namespace
+
+  fs::path temporary_name(const fs::path &final_name)
+  {
+    return final_name.parent_path() / fmt::format(".{}.{}.partial", final_name.filename().string(), process_mark());
+  }
 
   void write_atomically(const fs::path &file, const std::function<void(const fs::path &)> &write)
   {
@@ -138,21 +143,5 @@ namespace swimtwin
       descriptor.write(text.data(), text.size());
       descriptor.close();
     });
-  }
-
-  void prepare_output_folder(const fs::path &folder, const std::vector<std::string> &results, const bool force)
-  {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error || !fs::is_directory(folder))
-      throw InputError(fmt::format("cannot create the output folder {}: {}; choose another --output.", folder.string(),
-                                   error ? error.message() : "a file has that name"));
-    if (!is_writable(folder))
-      throw InputError(fmt::format("cannot write to the output folder {}: {}; choose another --output.",
-                                   folder.string(), std::error_code(errno, std::generic_category()).message()));
-    for (const std::string &result : results)
-      if (!force && fs::exists(folder / result))
-        throw InputError(fmt::format("{} already holds {}; choose another --output, or add --force to replace it.",
-                                     folder.string(), result));
   }
 } // namespace swimtwin

@@ -1,11 +1,10 @@
-// The folder that a verb writes to. Nothing of the tool is written elsewhere.
+// Files in an output folder that are there as a whole or not at all. Nothing of the tool is written elsewhere.
 #pragma once
 
 #include <filesystem>
 #include <functional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace swimtwin
 {
@@ -16,7 +15,7 @@ namespace swimtwin
                         const std::function<void(const std::filesystem::path &)> &write);
   void write_text_atomically(const std::filesystem::path &file, std::string_view text);
 
-  /// Create the folder (InputError if that is impossible or it is not writable) and refuse (InputError, naming --force)
-  /// if it already holds one of the named results and `force` is false.
-  void prepare_output_folder(const std::filesystem::path &folder, const std::vector<std::string> &results, bool force);
+  /// Where this process, and no other, writes what is to become a file: hidden, beside it, and known to
+  /// remove_partial_files by its form `.<name>.<process>.partial`.
+  std::filesystem::path temporary_name(const std::filesystem::path &final_name);
 } // namespace swimtwin

@@ -1,4 +1,3 @@
-#include <datasets/csv_table.h>
 #include <datasets/error.h>
 #include <datasets/json_entries.h>
 #include <datasets/plan_result.h>
@@ -149,23 +148,16 @@ namespace swimtwin
 
   PlanResult read_plan_result(const std::filesystem::path &file)
   {
-    const std::string text    = read_text_file(file, "the plan");
-    const auto        refusal = [&file](const std::exception &problem) {
-      return InputError(
-                 fmt::format("{} is not a plan of swimtwin optimize ({}); run it again.", file.string(), problem.what()));
-    };
+    const Json json = read_json_file(file, "the plan", "run `swimtwin optimize` again");
     PlanResult result;
     try
     {
-      read_json(Json::parse(text), result);
-    }
-    catch (const Json::parse_error &problem)
-    {
-      throw refusal(problem);
+      read_json(json, result);
     }
     catch (const InputError &problem)
     {
-      throw refusal(problem);
+      throw InputError(
+          fmt::format("{} is not a plan of swimtwin optimize ({}); run it again.", file.string(), problem.what()));
     }
     return result;
   }

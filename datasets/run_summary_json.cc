@@ -1,4 +1,3 @@
-#include <datasets/csv_table.h>
 #include <datasets/error.h>
 #include <datasets/json_entries.h>
 #include <datasets/run_summary_json.h>
@@ -72,18 +71,6 @@ namespace swimtwin
       std::string file_;
       const Json &json_;
     };
-
-    Json parse_json(const std::filesystem::path &file)
-    {
-      try
-      {
-        return Json::parse(read_text_file(file, "the summary"));
-      }
-      catch (const Json::parse_error &)
-      {
-        throw InputError(fmt::format("{}: this is not valid JSON.", file.string()));
-      }
-    }
   } // namespace
 
   void write_run_summary_json(const std::filesystem::path &file, const RunRecord &record)
@@ -96,7 +83,7 @@ namespace swimtwin
 
   RunRecord read_run_summary_json(const std::filesystem::path &file)
   {
-    const Json json = parse_json(file);
+    const Json json = read_json_file(file, "the summary", "run again with --force");
     RunRecord  record;
     for_each_entry(record.summary, JsonObject(file.string(), json));
     const Json origin = json.value("provenance", Json::object());

@@ -1,34 +1,16 @@
 #include <datasets/error.h>
+#include <datasets/nearest_name.h>
 #include <datasets/toml_table.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace swimtwin
 {
   namespace
   {
-    std::size_t edit_distance(const std::string_view a, const std::string_view b)
-    {
-      std::vector<std::size_t> row(b.size() + 1);
-      std::iota(row.begin(), row.end(), 0u);
-      for (std::size_t i = 0; i < a.size(); ++i)
-      {
-        std::size_t diagonal = row[0];
-        row[0]               = i + 1;
-        for (std::size_t j = 0; j < b.size(); ++j)
-        {
-          const std::size_t above = row[j + 1];
-          row[j + 1]              = std::min({above + 1, row[j] + 1, diagonal + (a[i] == b[j] ? 0u : 1u)});
-          diagonal                = above;
-        }
-      }
-      return row.back();
-    }
-
     std::string in_unit(const std::string_view unit)
     {
       return unit.empty() ? std::string() : fmt::format(" in {}", unit);
@@ -44,15 +26,6 @@ namespace swimtwin
       return fmt::format("\"{}\"", fmt::join(words, "\", \""));
     }
   } // namespace
-
-  std::string nearest_name(const std::string_view word, const std::vector<std::string> &candidates)
-  {
-    const auto closer = [&](const std::string &a, const std::string &b) {
-      return edit_distance(word, a) < edit_distance(word, b);
-    };
-    const auto best = std::min_element(candidates.begin(), candidates.end(), closer);
-    return best == candidates.end() ? std::string() : *best;
-  }
 
   bool Range::contains(const double value) const
   {

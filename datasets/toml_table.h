@@ -88,7 +88,4 @@ namespace swimtwin
     const toml::table       *table_ = nullptr;
     std::vector<std::string> known_, problems_;
   };
-
-  /// The candidate with the smallest edit distance to `word`.
-  std::string nearest_name(std::string_view word, const std::vector<std::string> &candidates);
 } // namespace swimtwin

@@ -2,6 +2,7 @@
 
 #include <datasets/error.h>
 #include <datasets/hdf5_file.h>
+#include <datasets/hdf5_open.h>
 
 #include <sstream>
 
@@ -72,6 +73,22 @@ namespace swimtwin
         result.emplace_back(row.data(), row.data() + row.size());
       }
       return result;
+    }
+
+    const std::string remedy_for_checkpoint = "start afresh with --force";
+
+    Hdf5Reader open_checkpoint(const std::filesystem::path &path)
+    {
+      try
+      {
+        return Hdf5Reader(path);
+      }
+      catch (const InputError &error)
+      {
+        std::string cause = error.what();
+        cause.pop_back(); // its full stop
+        throw InputError(cause + ", or " + remedy_for_checkpoint + ".");
+      }
     }
 
     /// Time, pose and rates of an instant in a fixed order.
@@ -199,12 +216,13 @@ namespace swimtwin
     file.write_attribute("/", "scene_hash", provenance.scene_hash);
     file.write_attribute("/", "scene_text", provenance.scene_text);
     file.write_attribute("/", "program_version", provenance.program_version);
-    file.save(path);
+    file.save(path, Seal::appended);
   }
 
   Checkpoint read_checkpoint(const std::filesystem::path &path, const Scene &scene)
   {
-    const Hdf5Reader file(path);
+    const Hdf5Reader file = open_checkpoint(path);
+    require_seal(path, remedy_for_checkpoint);
     if (file.read_text_attribute("/", "scene_hash") != scene.hash)
       throw InputError(path.string() +
                        " belongs to another scene or to other --set values: resume with the scene it was "

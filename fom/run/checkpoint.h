@@ -16,9 +16,10 @@ namespace swimtwin
     double                           wall_time_s = 0., cpu_time_s = 0.;
   };
 
-  /// Written to a temporary name, then renamed. Throws ComputationError.
+  /// With a checksum (see require_seal). Written to a temporary name, then renamed. Throws ComputationError.
   void write_checkpoint(const std::filesystem::path &file, const Checkpoint &checkpoint, const Provenance &provenance);
 
-  /// Throws InputError if the file is not a checkpoint or belongs to another scene (by hash).
+  /// Throws InputError if the file is not a checkpoint, is not what its checksum was made of, or belongs to another
+  /// scene (by hash).
   Checkpoint read_checkpoint(const std::filesystem::path &file, const Scene &scene);
 } // namespace swimtwin

@@ -2,6 +2,7 @@
 
 #include <datasets/clocks.h>
 #include <datasets/error.h>
+#include <datasets/folder_lock.h>
 #include <datasets/mirror_plane.h>
 #include <datasets/output_folder.h>
 #include <datasets/provenance.h>
@@ -47,6 +48,8 @@ namespace swimtwin
             is_writer_(dealii::Utilities::MPI::this_mpi_process(communicator) == 0),
             checkpoint_file_(options.folder / "checkpoint.h5"), model_(scene, communicator), recorder_(scene)
       {
+        if (is_writer_)
+          lock_.emplace(options.folder, options.command_line);
         if (scene.output.fields_per_period > 0 && is_writer_)
           fields_.emplace(options.folder / "fields");
         if (options.resume && std::filesystem::exists(checkpoint_file_))
@@ -197,7 +200,7 @@ namespace swimtwin
       /// All results or none take their final names.
       void write_together(const SimulationResult &result) const
       {
-        const auto staged = options_.folder / ".results.partial";
+        const auto staged = temporary_name(options_.folder / "summary.json.staged");
         std::filesystem::remove_all(staged);
         try
         {
@@ -222,6 +225,7 @@ namespace swimtwin
       MPI_Comm                   communicator_;
       bool                       is_writer_;
       std::filesystem::path      checkpoint_file_;
+      std::optional<FolderLock>  lock_; ///< of the writer, if the verb has none: runs within runs have folders, too
       Clock::time_point          start_       = Clock::now();
       double                     wall_before_ = 0., cpu_before_ = 0.;
       FullOrderModel<2>          model_;
@@ -234,10 +238,5 @@ namespace swimtwin
   SimulationResult simulate(const Scene &scene, const SimulationOptions &options, const MPI_Comm communicator)
   {
     return Run(scene, options, communicator).finish();
-  }
-
-  std::vector<std::string> simulation_results()
-  {
-    return {"trajectory.csv", "summary.json", "snapshots.h5", "fields"};
   }
 } // namespace swimtwin

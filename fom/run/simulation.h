@@ -39,7 +39,4 @@ namespace swimtwin
   /// Results take their names when the run is complete; until then only checkpoint.h5 grows. If the computation fails,
   /// summary.json says why, the checkpoint stays, and the ComputationError is passed on. Collective.
   SimulationResult simulate(const Scene &scene, const SimulationOptions &options, MPI_Comm communicator);
-
-  /// Names of the files that a run leaves, to be refused or replaced.
-  std::vector<std::string> simulation_results();
 } // namespace swimtwin

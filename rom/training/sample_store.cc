@@ -1,6 +1,7 @@
 #include <rom/training/sample_store.h>
 
 #include <datasets/hdf5_file.h>
+#include <datasets/hdf5_open.h>
 
 #include <cmath>
 
@@ -26,6 +27,7 @@ namespace swimtwin
     if (!std::filesystem::exists(file_))
       return;
     const Hdf5Reader reader(file_);
+    require_seal(file_, "remove it, and --resume computes the samples again");
     if (reader.read_text_attribute("/", "key") != key_)
       return;
     const Eigen::MatrixXd points = reader.read_matrix("/points"), resistances = reader.read_matrix("/resistances");
@@ -72,6 +74,6 @@ namespace swimtwin
                          "resistance for unit viscosity, per unit depth, one matrix per row; zero where the "
                          "shape cannot be"});
     writer.write_attribute("/", "key", key_);
-    writer.save(file_);
+    writer.save(file_, Seal::appended);
   }
 } // namespace swimtwin

@@ -257,9 +257,4 @@ namespace swimtwin
                            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()});
     return model;
   }
-
-  std::vector<std::string> training_results()
-  {
-    return {"model.h5", "model-card.txt", "samples.h5", "runs", "held-out"};
-  }
 } // namespace swimtwin

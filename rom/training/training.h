@@ -42,7 +42,4 @@ namespace swimtwin
   /// Writes runs/, held-out/, samples.h5 and at last model.h5. What an interrupted training of the same scene left is
   /// used, not made again. Collective.
   ReducedModel train(const Scene &scene, const TrainingOptions &options, MPI_Comm communicator);
-
-  /// Names of the files that a training leaves.
-  std::vector<std::string> training_results();
 } // namespace swimtwin

@@ -1,6 +1,8 @@
+#include <app/written_files.h>
 #include <datasets/calibration_result.h>
 #include <datasets/csv_table.h>
 #include <datasets/scene.h>
+#include <tests/app/declared_files.h>
 #include <tests/app/tool_in_process.h>
 #include <tests/datasets/temporary_folder.h>
 #include <tests/places.h>
@@ -90,6 +92,7 @@ bootstrap_samples = 60
     EXPECT_EQ(CsvTable::read(folder.path / "results/band.csv").n_rows(), 61u);
     for (const char *name : {"parameters.csv", "profiles.csv", "posterior.csv", "next_experiment.csv"})
       EXPECT_GT(CsvTable::read(folder.path / "results" / name).n_rows(), 5u) << name;
+    expect_all_declared(results, written_by::calibrate().patterns);
   }
 
   TEST_F(CalibrateVerb, RefusesBadObservationsAndLeavesNothing)

@@ -1,5 +1,7 @@
+#include <app/written_files.h>
 #include <datasets/reduced_model.h>
 #include <reports/plan/plan_files.h>
+#include <tests/app/declared_files.h>
 #include <tests/app/tool_in_process.h>
 #include <tests/control/small_model.h>
 #include <tests/datasets/temporary_folder.h>
@@ -66,6 +68,7 @@ max_evaluations = 12
     expect_part(content(folder.path / "results/report.html"), "Harmonics of the optimal field");
     EXPECT_FALSE(plan.plan.provenance.scene_hash.empty());
     EXPECT_EQ(optimize_tool({"report", results, "--force"}).code, 0);
+    expect_all_declared(results, written_by::optimize().patterns);
   }
 
   TEST_F(OptimizeVerb, ChecksItsDerivatives)
@@ -119,5 +122,7 @@ max_evaluations = 12
     EXPECT_EQ(outcome.code, 2);
     expect_part(outcome.errors, "--force");
     EXPECT_EQ(optimize_tool({"optimize", model, folder.write("goal.toml", a_goal)}).code, 2);
+    EXPECT_EQ(optimize(a_goal, {"--force", "--trade-off", "much"}).code, 2);
+    EXPECT_EQ(content(folder.path / "results/plan.json"), "{}");
   }
 } // namespace swimtwin

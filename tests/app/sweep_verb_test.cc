@@ -140,9 +140,10 @@ namespace swimtwin
 
   TEST_F(SweepVerb, RefusesBadModels)
   {
-    expect_refusal(sweep_tool({"sweep", "no-such-model", "--output", results}), "no-such-model: there is no such file");
+    expect_refusal(sweep_tool({"sweep", "no-such-model", "--output", results}),
+                   "no-such-model: No such file or directory");
     std::filesystem::resize_file(model, 1000);
-    expect_refusal(sweep({}), "not an HDF5 file, or it was cut short");
+    expect_refusal(sweep({}), "it was cut short: 1000 bytes are left");
   }
 
   TEST_F(SweepVerb, KeepsResultsUnlessForced)

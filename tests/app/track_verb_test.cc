@@ -1,5 +1,7 @@
+#include <app/written_files.h>
 #include <datasets/csv_table.h>
 #include <datasets/field_program.h>
+#include <tests/app/declared_files.h>
 #include <tests/app/tool_in_process.h>
 #include <tests/datasets/temporary_folder.h>
 #include <tests/places.h>
@@ -54,6 +56,7 @@ namespace swimtwin
     EXPECT_LE(json["rms_distance_body_lengths"].get<double>(), 0.03);
     EXPECT_LE(json["largest_field_T"].get<double>(), 7.0711e-3);
     EXPECT_FALSE(json["provenance"]["scene_hash"].get<std::string>().empty());
+    expect_all_declared(results, written_by::optimize().patterns);
   }
 
   TEST_F(TrackVerb, FieldIsAProgramThatCanBePlayed)

@@ -70,7 +70,7 @@ namespace swimtwin
       }
       return std::string("accepted");
     };
-    EXPECT_NE(refusal("{\"status\": ").find("is not JSON, or was cut short"), std::string::npos);
+    EXPECT_NE(refusal("{\"status\": ").find("was cut short: it ends in the middle"), std::string::npos);
     EXPECT_NE(refusal("{}").find("lacks the entry status"), std::string::npos);
     EXPECT_NE(refusal("[1]").find("lacks the entry status"), std::string::npos);
     EXPECT_NE(refusal("{\"status\": 3}").find("has an entry status of the wrong kind"), std::string::npos);

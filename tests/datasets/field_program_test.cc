@@ -162,7 +162,7 @@ namespace swimtwin
 
   TEST(FieldProgram, RefusesAnEmptyFile)
   {
-    expect_in(message_for("", 4.), "field.csv:1: the file is empty");
+    expect_in(message_for("", 4.), "field.csv: the file is empty");
   }
 
   TEST(FieldProgram, RefusesTimesThatDoNotIncrease)

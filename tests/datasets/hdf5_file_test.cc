@@ -1,5 +1,6 @@
 #include <datasets/error.h>
 #include <datasets/hdf5_file.h>
+#include <datasets/output_folder.h>
 #include <tests/datasets/temporary_folder.h>
 
 namespace swimtwin
@@ -43,7 +44,7 @@ namespace swimtwin
   {
     const TemporaryFolder folder;
     const auto            file = folder.write("file.h5", "earlier");
-    std::filesystem::create_symlink("/dev/full", folder.path / ".file.h5.partial");
+    std::filesystem::create_symlink("/dev/full", temporary_name(file));
     Hdf5Writer writer;
     writer.write_vector("/values", std::vector<double>(1000, 1.), {"1", "ones"});
     expect_in(message_of<ComputationError>([&] { writer.save(file); }), "file.h5: No space left on device");
@@ -73,6 +74,6 @@ namespace swimtwin
     const auto            foreign = folder.write("foreign.h5", "time_s,bx_T\n");
     expect_in(message_of<InputError>([&] { Hdf5Reader reader(foreign); }), "foreign.h5: it is not an HDF5 file");
     expect_in(message_of<InputError>([&] { Hdf5Reader reader(folder.path / "no.h5"); }),
-              "no.h5: there is no such file");
+              "no.h5: No such file or directory");
   }
 } // namespace swimtwin

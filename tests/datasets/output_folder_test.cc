@@ -2,7 +2,10 @@
 #include <datasets/output_folder.h>
 #include <tests/datasets/temporary_folder.h>
 
+#include <fmt/format.h>
+
 #include <stdexcept>
+#include <unistd.h>
 
 namespace swimtwin
 {
@@ -43,7 +46,7 @@ namespace swimtwin
   {
     const TemporaryFolder folder;
     const fs::path        file = folder.write("result.txt", "earlier");
-    fs::create_symlink("/dev/full", folder.path / ".result.txt.partial");
+    fs::create_symlink("/dev/full", temporary_name(file));
     const std::string message = message_of<ComputationError>([&] { write_text_atomically(file, "later"); });
     EXPECT_EQ(message, "cannot write " + file.string() + ": No space left on device; free some space and run again");
     EXPECT_EQ(content(file), "earlier");
@@ -58,31 +61,11 @@ namespace swimtwin
     expect_in(message, "missing/result.txt: No such file or directory");
   }
 
-  TEST(PrepareOutputFolder, CreatesNestedFolders)
+  TEST(WriteAtomically, UsesATemporaryNameThatTellsTheProcess)
   {
-    const TemporaryFolder folder;
-    prepare_output_folder(folder.path / "a" / "b", {"summary.json"}, false);
-    EXPECT_TRUE(fs::is_directory(folder.path / "a" / "b"));
-  }
-
-  TEST(PrepareOutputFolder, RefusesAnExistingResultWithoutForce)
-  {
-    const TemporaryFolder folder;
-    folder.write("summary.json", "{}");
-    const std::string message = message_of<InputError>([&] {
-      prepare_output_folder(folder.path, {"trajectory.csv", "summary.json"}, false);
-    });
-    expect_in(message, "already holds summary.json");
-    expect_in(message, "--force");
-    EXPECT_NO_THROW(prepare_output_folder(folder.path, {"summary.json"}, true));
-    EXPECT_NO_THROW(prepare_output_folder(folder.path, {"trajectory.csv"}, false));
-  }
-
-  TEST(PrepareOutputFolder, RefusesAFileInItsPlace)
-  {
-    const TemporaryFolder folder;
-    const fs::path        file = folder.write("result", "text");
-    expect_in(message_of<InputError>([&] { prepare_output_folder(file, {}, true); }), file.string());
-    expect_in(message_of<InputError>([&] { prepare_output_folder(file / "inside", {}, true); }), "--output");
+    const fs::path name = temporary_name("folder/result.txt");
+    EXPECT_EQ(name.parent_path(), "folder");
+    EXPECT_TRUE(name.filename().string().starts_with(fmt::format(".result.txt.{}-", getpid()))) << name;
+    EXPECT_EQ(name.extension(), ".partial");
   }
 } // namespace swimtwin

@@ -149,8 +149,7 @@ namespace swimtwin
     const auto            file = folder.path / "model.h5";
     write_reduced_model(file, random_model(), of_a_training);
     std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
-    expect_in(message_of<InputError>([&] { read_reduced_model(file); }),
-              "model.h5: it is not an HDF5 file, or it was cut short");
+    expect_in(message_of<InputError>([&] { read_reduced_model(file); }), "model.h5: it was cut short");
   }
 
   TEST(ReducedModel, RefusesAForeignFile)

@@ -79,6 +79,6 @@ namespace swimtwin
     const auto            file = folder.write("summary.json", "{\"status\": 3}");
     expect_in(message_of<InputError>([&] { read_run_summary_json(file); }), "summary.json: the entry status");
     const auto broken = folder.write("broken.json", "{");
-    expect_in(message_of<InputError>([&] { read_run_summary_json(broken); }), "broken.json: this is not valid JSON");
+    expect_in(message_of<InputError>([&] { read_run_summary_json(broken); }), "broken.json was cut short");
   }
 } // namespace swimtwin

@@ -159,6 +159,22 @@ namespace swimtwin
   {
     const TemporaryFolder folder;
     folder.write("checkpoint.h5", "not a checkpoint");
-    expect_failure(run_tool(simulate_arguments(scene, folder.path, {"--resume"})), 2, {"checkpoint.h5"});
+    expect_failure(run_tool(simulate_arguments(scene, folder.path, {"--resume"})), 2, {"checkpoint.h5", "--force"});
+  }
+
+  TEST(Resume, ACheckpointWithOneChangedBitOrACutEndIsRefused)
+  {
+    const TemporaryFolder folder;
+    const auto            run = folder.path / "run";
+    interrupt(scene, run, Moment::after_first_checkpoint);
+    const std::string whole   = content(run / "checkpoint.h5");
+    std::string       changed = whole;
+    changed[whole.size() / 2] ^= 4;
+    for (const std::string &text : {changed, whole.substr(0, whole.size() / 2), whole.substr(0, whole.size() - 1)})
+    {
+      std::ofstream(run / "checkpoint.h5", std::ios::binary) << text;
+      expect_failure(run_tool(simulate_arguments(scene, run, {"--resume"})), 2, {"checkpoint.h5", "--force"});
+      EXPECT_EQ(content(run / "checkpoint.h5"), text);
+    }
   }
 } // namespace swimtwin
