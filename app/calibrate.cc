@@ -158,7 +158,7 @@ namespace swimtwin
     const CalibrationInput             input = read_calibration_input(command);
     std::vector<std::filesystem::path> files{find_model(command.model), command.problem};
     for (const ObservationSet &set : input.sets)
-      files.push_back(set.file);
+      files.insert(files.end(), {set.file, set.field.file});
     work_in_folder(output_request(command.common, written_by::calibrate(), files),
                    [&](const Begun &) { calibrate_in_folder(command, input); });
   }

@@ -1,6 +1,7 @@
 #include <app/claimed_folder.h>
 
 #include <app/ranks.h>
+#include <app/shipped_files.h>
 #include <app/written_files.h>
 #include <datasets/error.h>
 
@@ -51,6 +52,11 @@ namespace swimtwin
       }
     }
   } // namespace
+
+  std::vector<std::filesystem::path> files_of(const CommonOptions &common, const Scene &scene)
+  {
+    return {find_scene(common.scene), scene.field.file};
+  }
 
   OutputRequest output_request(const CommonOptions &common, const WrittenFiles &files,
                                std::vector<std::filesystem::path> inputs)

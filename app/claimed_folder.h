@@ -10,6 +10,9 @@
 
 namespace swimtwin
 {
+  /// The files that a scene was read from.
+  std::vector<std::filesystem::path> files_of(const CommonOptions &common, const Scene &scene);
+
   /// A request from a verb's options.
   OutputRequest output_request(const CommonOptions &common, const WrittenFiles &files,
                                std::vector<std::filesystem::path> inputs);

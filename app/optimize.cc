@@ -221,9 +221,7 @@ namespace swimtwin
     import_program(file, warnings);
     if (!command.trade_off.empty())
       file.options.trade_off = parse_values("--trade-off", command.trade_off, ValueRule::positive);
-    std::vector<std::filesystem::path> inputs{find_model(command.model), command.goal};
-    if (!file.program.empty())
-      inputs.push_back(file.program);
+    const std::vector<std::filesystem::path> inputs{find_model(command.model), command.goal, file.program};
     work_in_folder_together(output_request(command.common, written_by::optimize(), inputs), [&](const Begun &) {
       optimize_in_folder(command, {model, scene, file, warnings});
     });

@@ -1,6 +1,5 @@
 // Verb plan: what will be solved, what is skipped and why, and what it will cost. Meshes, but solves nothing.
 #include <app/claimed_folder.h>
-#include <app/shipped_files.h>
 #include <app/written_files.h>
 #include <datasets/output_folder.h>
 #include <fom/run/run_plan.h>
@@ -61,7 +60,7 @@ namespace swimtwin
       const Scene scene = load_scene(*common);
       if (common->output.empty())
         return plan_and_report(scene, *common);
-      work_in_folder_together(output_request(*common, written_by::plan(), {find_scene(common->scene)}),
+      work_in_folder_together(output_request(*common, written_by::plan(), files_of(*common, scene)),
                               [&](const Begun &) { plan_and_report(scene, *common); });
     };
   }

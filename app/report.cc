@@ -136,7 +136,7 @@ namespace swimtwin
     }
 
     template <typename Results>
-    void write_page(const Results &results, const CommonOptions &options)
+    void draw_and_write_page(const Results &results, const CommonOptions &options)
     {
       const DrawingBoard  board(options.output);
       const Illustrations illustrations = illustrate(results, board.path);
@@ -146,6 +146,13 @@ namespace swimtwin
       write_illustrated_page(options.output, page, illustrations);
       if (!options.quiet)
         fmt::print("report in {}\n", (options.output / page_name).string());
+    }
+
+    template <typename Results>
+    void write_page(const Results &results, const CommonOptions &options)
+    {
+      work_in_folder(output_request(options, written_by::report(), {}),
+                     [&](const Begun &) { draw_and_write_page(results, options); });
     }
 
     void report_folder(const fs::path &folder, const CommonOptions &common)
@@ -181,8 +188,9 @@ namespace swimtwin
       require_folder(options.folder, "give the --output of an earlier command");
       require_rest(options.folder);
       CommonOptions common = options.common;
-      if (common.output.empty())
-        common.output = options.folder;
+      if (!common.output.empty())
+        return report_folder(options.folder, common); // which claims the output once the results are read
+      common.output = options.folder;
       work_in_folder(output_request(common, written_by::report(), {}),
                      [&](const Begun &) { report_folder(options.folder, common); });
     }

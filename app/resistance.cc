@@ -1,6 +1,5 @@
 // Verb resistance: the rigid resistance matrix of a scene's swimmer at rest.
 #include <app/claimed_folder.h>
-#include <app/shipped_files.h>
 #include <app/written_files.h>
 #include <datasets/error.h>
 #include <datasets/output_folder.h>
@@ -77,7 +76,7 @@ namespace swimtwin
       const Scene scene = load_scene(*common);
       if (!scene.fluid)
         throw InputError(scene.name + " has no [fluid]: a resistance matrix needs one; add [fluid] and [domain]");
-      work_in_folder_together(output_request(*common, written_by::resistance(), {find_scene(common->scene)}),
+      work_in_folder_together(output_request(*common, written_by::resistance(), files_of(*common, scene)),
                               [&](const Begun &) { compute_and_report(scene, *common); });
     };
   }

@@ -3,7 +3,6 @@
 
 #include <app/claimed_folder.h>
 #include <app/progress_bar.h>
-#include <app/shipped_files.h>
 #include <app/written_files.h>
 #include <datasets/error.h>
 #include <datasets/run_summary_json.h>
@@ -92,7 +91,7 @@ namespace swimtwin
 
   void simulate_and_report(const Scene &scene, const CommonOptions &common, const SimulateOptions &own)
   {
-    OutputRequest request = output_request(common, written_by::simulate(), {find_scene(common.scene)});
+    OutputRequest request = output_request(common, written_by::simulate(), files_of(common, scene));
     request.resume        = own.resume;
     work_in_folder_together(request, [&](const Begun &begun) { simulate_in_folder(scene, common, own, begun); });
   }

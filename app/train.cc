@@ -145,7 +145,7 @@ namespace swimtwin
       for (const auto &file : own.snapshots)
         read_snapshots(file); // refused now rather than after the runs
       std::vector<std::filesystem::path> inputs = own.snapshots;
-      inputs.push_back(find_scene(command.common.scene));
+      inputs.push_back(find_scene(command.common.scene)); // the sinusoid that can be trained on has no file
       OutputRequest request = output_request(command.common, written_by::train(), inputs);
       request.resume        = command.resume;
       work_in_folder_together(request, [&](const Begun &begun) { train_in_folder(command, scene, begun); });

@@ -155,7 +155,9 @@ namespace swimtwin
     std::vector<Vector> b_T;
     for (std::size_t i = 0; i < time_s.size(); ++i)
       b_T.push_back({bx_T[i], by_T[i], bz_T[i]});
-    return sampled(time_s, std::move(b_T), period_s);
+    FieldProgram field = sampled(time_s, std::move(b_T), period_s);
+    field.file         = file;
+    return field;
   }
 
   std::array<double, 3> FieldProgram::operator()(const double time_s) const

@@ -42,7 +42,8 @@ namespace swimtwin
     const std::vector<double>                &time_s() const { return time_s_; }
     const std::vector<std::array<double, 3>> &b_T() const { return b_T_; }
 
-    double ramp_s = 0.;
+    double                ramp_s = 0.;
+    std::filesystem::path file; ///< that the samples were read from; empty otherwise
 
   private:
     Waveform                           waveform_ = Waveform::none;

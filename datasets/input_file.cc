@@ -151,6 +151,10 @@ namespace swimtwin
       if (content.find_first_not_of('\0') == std::string_view::npos)
         refuse_file(file, what,
                     "it holds nothing but zero bytes, as after a crash while it was written; copy or make it again");
+    }
+
+    void require_own_content(const fs::path &file, const std::string &what, const std::string_view content)
+    {
       if (const auto foreign = foreign_content(content))
         refuse_file(file, what, *foreign);
     }
@@ -211,6 +215,7 @@ namespace swimtwin
     std::string text = read_content(file, what);
     if (text.starts_with(hdf5_signature))
       refuse_file(file, what, "it is an HDF5 file, and a text is needed here");
+    require_own_content(file, what, text);
     return text;
   }
 
@@ -221,6 +226,7 @@ namespace swimtwin
       refuse_file(file, what, "it is a device or a pipe; name a file");
     const std::string bytes = input.read(n_bytes);
     require_data(file, what, bytes);
+    require_own_content(file, what, bytes);
     return bytes;
   }
 

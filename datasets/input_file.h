@@ -11,13 +11,13 @@ namespace swimtwin
   /// The first bytes of every HDF5 file.
   inline constexpr std::string_view hdf5_signature = "\x89HDF\r\n\x1a\n";
 
-  /// The whole content; `what` says what the file is to be ("the scene"). Throws InputError that tells apart: missing
-  /// (with the nearest name in that folder, if one is close), a folder, no permission, locked, empty, zero bytes alone,
-  /// and something else in the place of data (see foreign_content).
-  std::string read_text_file(const std::filesystem::path &file, const std::string &what);
-
-  /// The same of a file that may hold anything.
+  /// The whole content, whatever it is; `what` says what the file is to be ("the scene"). Throws InputError that tells
+  /// apart: missing (with the nearest name in that folder, if one is close), a folder, no permission, locked, empty,
+  /// and zero bytes alone.
   std::string read_content(const std::filesystem::path &file, const std::string &what);
+
+  /// The same of a text: refused is also what stands in the place of data (see foreign_content).
+  std::string read_text_file(const std::filesystem::path &file, const std::string &what);
 
   /// The first bytes of a regular file, for a library that opens it by itself. Throws InputError as read_text_file
   /// does.
