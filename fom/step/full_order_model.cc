@@ -3,11 +3,13 @@
 #include <datasets/error.h>
 #include <fom/algebra/cpu_time.h>
 #include <fom/body/mesh_around.h>
+#include <fom/mesh/inverted_element.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 namespace swimtwin
 {
@@ -87,11 +89,8 @@ namespace swimtwin
     for (int done = 0; done < ticks_per_step;)
     {
       // A new mesh is made just before it is needed, so that the fields of every instant can still be read.
-      if (remesh_is_due_)
-      {
-        remesh();
+      if (std::exchange(remesh_is_due_, false) && remesh())
         fresh_mesh = just_remeshed_ = true;
-      }
       const int         ticks   = next_ticks(done, largest);
       const StepOutcome outcome = try_step(ticks * tick);
       if (outcome == StepOutcome::accepted)
@@ -103,8 +102,9 @@ namespace swimtwin
       }
       else if (fluid_ && !fresh_mesh && outcome != StepOutcome::unstable_equilibrium)
       {
-        remesh();
-        fresh_mesh = just_remeshed_ = true;
+        fresh_mesh = true; // or there is none to be had
+        if (remesh())
+          just_remeshed_ = true;
       }
       else if (halvings < scene_.numerics.max_step_halvings && ticks > 1)
       {
@@ -143,6 +143,8 @@ namespace swimtwin
     if (!is_about_time && distance < .5 * scene_.numerics.mesh_size_m)
       message << "the body is " << distance << " m from a wall, and contact is not modelled; enlarge the domain, move "
               << "the head, lower the field, or end the run before";
+    else if (outcome == StepOutcome::mesh_inverted && !why_no_mesh_.empty())
+      message << "a new one was not to be had, for " << why_no_mesh_ << "; " << remedy(outcome, scene_);
     else
       message << remedy(outcome, scene_);
     throw ComputationError(message.str());
@@ -224,7 +226,7 @@ namespace swimtwin
   }
 
   template <int dim>
-  void FullOrderModel<dim>::remesh()
+  bool FullOrderModel<dim>::remesh()
   {
     const ScopedCpuTime time(counts_.remeshing_cpu_s);
     const auto         &c = now_.configuration;
@@ -232,13 +234,20 @@ namespace swimtwin
     {
       use_fluid_mesh(mesh_around(swimmer_, c, communicator_), c.pose);
     }
+    catch (const InvertedElement &error)
+    {
+      why_no_mesh_ = error.what(); // the old mesh is still good, or shorter steps may be
+      return false;
+    }
     catch (const ComputationError &error)
     {
       std::ostringstream message;
       message << "at t = " << now_.time_s << " s " << error.what();
       throw ComputationError(message.str());
     }
+    why_no_mesh_.clear();
     ++counts_.n_remeshes;
+    return true;
   }
 
   template <int dim>

@@ -44,7 +44,8 @@ namespace swimtwin
   class FullOrderModel
   {
   public:
-    /// Meshes the scene at rest. The scene must outlive the model. Collective; throws ComputationError.
+    /// Meshes the scene at rest. The scene must outlive the model. Collective; throws ComputationError, and InputError
+    /// if the scene's mesh size does not do at rest.
     FullOrderModel(const Scene &scene, MPI_Comm communicator);
 
     /// Advance by one step of the scene's time grid, with smaller ones inside where they are needed: at the start, and
@@ -74,7 +75,7 @@ namespace swimtwin
     Configuration<dim> known_part(const Bdf2 &bdf) const;
     Rates<dim>         extrapolated_rates(double growth) const;
     bool               wants_remeshing() const;
-    void               remesh();
+    bool               remesh(); ///< false if the new mesh would have an element inside out; the old one then stays
     void               use_fluid_mesh(FluidMesh<dim> mesh, const RigidPose<dim> &pose);
     void               solve_initial_flow();
     PowerBalance       compute_balance() const;
@@ -89,6 +90,7 @@ namespace swimtwin
     double       time_step_before_ = 0.; ///< 0: nothing before
     int          grid_step_        = 0;
     PowerBalance balance_;
+    std::string  why_no_mesh_; ///< of the last remesh()
     StepCounts   counts_;
     int          iterations_of_last_step_ = 0, steps_since_remeshing_ = 0;
     bool         just_remeshed_ = false, remesh_is_due_ = false;
