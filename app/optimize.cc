@@ -106,7 +106,7 @@ namespace swimtwin
         if (field.moves)
           text += fmt::format("  {:<18}  {:>17}  {:>8}  {:>11}  {:>19}   {}\n", field.name,
                               plain_number(1e6 * field.mean_speed_m_s, 4), plain_number(field.frequency_Hz, 4),
-                              plain_number(field.multipliers.empty() ? 0. : field.multipliers.front(), 3),
+                              field.multipliers.empty() ? "unknown" : plain_number(field.multipliers.front(), 3),
                               field.n_periods, field.status);
         else
           text += fmt::format("  {:<18}  {}: {}\n", field.name, field.status, field.message);

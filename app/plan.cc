@@ -13,6 +13,29 @@ namespace swimtwin
 {
   namespace
   {
+    /// Nothing is said of meshes that there are not.
+    std::string describe_size(const Scene &scene, const RunPlan &plan)
+    {
+      std::string text;
+      if (scene.fluid)
+        text += fmt::format("  fluid mesh             {} triangles, worst quality {:.2f}\n", plan.n_fluid_cells,
+                            plan.mesh_quality);
+      if (scene.tail)
+        text += fmt::format("  tail mesh              {} triangles\n", plan.n_tail_cells);
+      return text + fmt::format("  unknowns               {}\n  steps                  {} of {:.4g} s\n",
+                                plan.n_unknowns, scene.time.n_steps(), scene.time.time_step_s());
+    }
+
+    std::string describe_cost(const Scene &scene, const RunPlan &plan)
+    {
+      if (!scene.fluid)
+        return "  none: what a step costs was measured with a fluid only\n";
+      const std::string time = plan.estimated_time_s < 1. ? "below 1 s" : duration_text(plan.estimated_time_s);
+      return fmt::format("  time                   {}{}\n  memory                 {:.0f} MB\n", time,
+                         plan.is_extrapolated ? " (beyond the sizes that were measured)" : "",
+                         plan.estimated_memory_MB);
+    }
+
     std::string describe(const Scene &scene, const RunPlan &plan)
     {
       std::string text = fmt::format("Plan for {}\n", scene.name);
@@ -24,13 +47,8 @@ namespace swimtwin
       list("Solved", plan.solved);
       list("Skipped", plan.skipped);
       list("Numbers", plan.numbers);
-      text += fmt::format(
-          "Size\n  fluid mesh             {} triangles, worst quality {:.2f}\n  tail mesh              {} triangles\n"
-          "  unknowns               {}\n  steps                  {} of {:.4g} s\n",
-          plan.n_fluid_cells, plan.mesh_quality, plan.n_tail_cells, plan.n_unknowns, scene.time.n_steps(),
-          scene.time.time_step_s());
-      text += fmt::format("Estimate (one core)\n  time                   {}\n  memory                 {:.0f} MB\n",
-                          duration_text(plan.estimated_time_s), plan.estimated_memory_MB);
+      text += "Size\n" + describe_size(scene, plan);
+      text += fmt::format("Estimate (one core)\n{}", describe_cost(scene, plan));
       for (const auto &warning : plan.warnings)
         text += fmt::format("Warning: {}\n", warning);
       return text;

@@ -123,7 +123,7 @@ namespace swimtwin
         fmt::print(stderr, "swimtwin: {}\n", warning);
       if (!common.quiet)
         fmt::print("  {} periods, net displacement of the last {:+.5g} mm, head first\n  {} instants in {}\n",
-                   request.n_periods, 1e3 * summary.net_displacement_m, motion.snapshots.size(),
+                   request.n_periods, 1e3 * summary.displacement_per_period_m.back(), motion.snapshots.size(),
                    common.output.string());
     }
 

@@ -53,6 +53,8 @@ namespace swimtwin
 
     std::string describe(const char *what, const TrackResult &r, const double length_m)
     {
+      if (r.instants.empty())
+        return fmt::format("  {:<18} {} before the first decision: {}\n", what, to_string(r.status), r.message);
       return fmt::format(
           "  {:<18} {} after {:.4g} s; mean position {:.2f} % of a body length off the path (rms), {:.2f} % "
           "at most; the head itself swings {:.1f} % (rms)\n",
@@ -77,16 +79,17 @@ namespace swimtwin
       fmt::print("{}",
                  describe(record.goal.kind == TrackingKind::path ? "plan" : "closed loop", r, record.body_length_m));
       fmt::print("{}", describe_swing(r, record.body_length_m));
-      if (const auto &point = record.goal.options.point)
+      if (const auto &point = record.goal.options.point; point && !r.instants.empty())
         fmt::print(
             "  {:<18} the led point, {:.2g} mm behind the head's centre, is {:.2f} % of a body length off its path "
             "at every instant (rms)\n",
             "", 1e3 * point->behind_m, 100. * r.rms_point_m / record.body_length_m);
       if (record.replay)
         fmt::print("{}", describe("full-order replay", *record.replay, record.body_length_m));
-      fmt::print("  {} decisions: {:.2f} ms of CPU time on average, {:.2f} ms at most, {} too late\n  results in {}\n",
-                 r.n_decisions, 1e3 * r.mean_decision_s, 1e3 * r.largest_decision_s, r.n_missed,
-                 common.output.string());
+      if (r.n_decisions > 0)
+        fmt::print("  {} decisions: {:.2f} ms of CPU time on average, {:.2f} ms at most, {} too late\n", r.n_decisions,
+                   1e3 * r.mean_decision_s, 1e3 * r.largest_decision_s, r.n_missed);
+      fmt::print("  results in {}\n", common.output.string());
     }
 
     void draw(const TrackCommand &command, const TrackRecord &record)

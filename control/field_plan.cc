@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 namespace swimtwin
 {
@@ -208,9 +209,10 @@ namespace swimtwin
           const FieldTask    task{task_.model, swimmer_, goal, task_.sizes};
           const PlannedField best  = measured_field("", task, optimal_.drive, optimal_.state);
           const PlannedField tuned = measured_field("", task, tuned_.drive, tuned_.state);
-          result_.members.push_back({member.young_modulus_Pa, member.viscosity_Pa_s, member.magnetization_A_m,
-                                     best.mean_speed_m_s, tuned.mean_speed_m_s,
-                                     best.multipliers.empty() ? 0. : best.multipliers.front()});
+          result_.members.push_back(
+              {member.young_modulus_Pa, member.viscosity_Pa_s, member.magnetization_A_m, best.mean_speed_m_s,
+               tuned.mean_speed_m_s,
+               best.multipliers.empty() ? std::numeric_limits<double>::quiet_NaN() : best.multipliers.front()});
         }
       }
 

@@ -8,6 +8,15 @@
 
 namespace swimtwin
 {
+  template <Like<WorkBalance> Type, typename Visitor>
+  void for_each_entry(Type &v, const Visitor &visit)
+  {
+    visit("magnetic_J_m", v.magnetic_J_m);
+    visit("external_J_m", v.external_J_m);
+    visit("dissipated_J_m", v.dissipated_J_m);
+    visit("stored_J_m", v.stored_J_m);
+  }
+
   template <Like<RunSummary> Type, typename Visitor>
   void for_each_entry(Type &v, const Visitor &visit)
   {
@@ -25,6 +34,7 @@ namespace swimtwin
     visit("n_step_halvings", v.n_step_halvings);
     visit("power_imbalance", v.power_imbalance);
     visit("worst_power_imbalance", v.worst_power_imbalance);
+    visit("work_of_last_period", v.work_of_last_period);
     visit("wall_time_s", v.wall_time_s);
     visit("cpu_time_s", v.cpu_time_s);
     visit("peak_memory_MB", v.peak_memory_MB);
@@ -36,17 +46,29 @@ namespace swimtwin
   {
     bool holds_null(const Json &entry)
     {
-      return entry.is_null() || (entry.is_array() && std::any_of(entry.begin(), entry.end(), holds_null));
+      return entry.is_null() || (entry.is_structured() && std::any_of(entry.begin(), entry.end(), holds_null));
     }
 
-    void flag_values_that_are_not_finite(Json &json)
+    template <typename Type>
+    bool is_finite(const Type &value)
+    {
+      return !holds_null(json_of(value));
+    }
+    /// What was not computed is not wrong.
+    template <typename Type>
+    bool is_finite(const std::optional<Type> &value)
+    {
+      return !value || is_finite(*value);
+    }
+
+    std::vector<std::string> keys_that_are_not_finite(const RunSummary &summary)
     {
       std::vector<std::string> keys;
-      for (const auto &[key, entry] : json.items())
-        if (holds_null(entry))
-          keys.push_back(key);
-      if (!keys.empty() && json["status"] == "completed")
-        json["status"] = fmt::format("failed: {} not finite", fmt::join(keys, ", "));
+      for_each_entry(summary, [&](const char *key, const auto &member) {
+        if (!is_finite(member))
+          keys.emplace_back(key);
+      });
+      return keys;
     }
 
     class JsonObject
@@ -66,6 +88,12 @@ namespace swimtwin
           throw InputError(fmt::format("{}: the entry {} is missing or has the wrong type.", file_, key));
         }
       }
+      /// Runs of earlier versions lack it.
+      void operator()(const char *key, std::optional<WorkBalance> &value) const
+      {
+        if (json_.contains(key))
+          operator()<std::optional<WorkBalance>>(key, value);
+      }
 
     private:
       std::string file_;
@@ -76,7 +104,9 @@ namespace swimtwin
   void write_run_summary_json(const std::filesystem::path &file, const RunRecord &record)
   {
     Json json = json_of(record.summary);
-    flag_values_that_are_not_finite(json);
+    if (const auto keys = keys_that_are_not_finite(record.summary);
+        !keys.empty() && record.summary.status == "completed")
+      json["status"] = fmt::format("failed: {} not finite", fmt::join(keys, ", "));
     json["provenance"] = json_of(record.provenance);
     write_json_file(file, json);
   }

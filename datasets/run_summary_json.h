@@ -14,9 +14,11 @@ namespace swimtwin
     Provenance provenance;
   };
 
-  /// One key per member of RunSummary, and `provenance`. A value that is not finite is written as null, and a status of
-  /// "completed" then becomes "failed: <keys> not finite". Written to a temporary name, then renamed.
+  /// One key per member of RunSummary, and `provenance`. What was not computed is written as null. So is a value that
+  /// is not finite, and a status of "completed" then becomes "failed: <keys> not finite". Written to a temporary name,
+  /// then renamed.
   void write_run_summary_json(const std::filesystem::path &file, const RunRecord &record);
-  /// null is read as NaN. Throws InputError naming file and key for what is missing or of another type.
+  /// null is read as not computed where that is possible, else as NaN. Throws InputError naming file and key for what
+  /// is missing or of another type.
   RunRecord read_run_summary_json(const std::filesystem::path &file);
 } // namespace swimtwin

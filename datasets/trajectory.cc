@@ -1,14 +1,13 @@
 #include <datasets/csv_table.h>
 #include <datasets/csv_writer.h>
 #include <datasets/error.h>
-#include <datasets/trajectory.h>
+#include <datasets/work_balance.h>
 
 #include <fmt/format.h>
 
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <span>
 #include <variant>
 
 namespace swimtwin
@@ -69,45 +68,6 @@ namespace swimtwin
             throw ComputationError(fmt::format("cannot write {}: {} at time {} s is not a finite number", file.string(),
                                                column.name, row.time_s));
     }
-
-    double integrate(const std::span<const TrajectoryRow> rows, double (*const rate)(const TrajectoryRow &))
-    {
-      double integral = 0.;
-      for (std::size_t i = 1; i < rows.size(); ++i)
-        integral += 0.5 * (rows[i].time_s - rows[i - 1].time_s) * (rate(rows[i]) + rate(rows[i - 1]));
-      return integral;
-    }
-
-    /// (work in - dissipation - gain of elastic energy) / |magnetic work|. Without magnetic work (below round-off of
-    /// the dissipation) it is relative to the dissipation; with neither it is 0.
-    double power_imbalance(const std::span<const TrajectoryRow> rows)
-    {
-      const double magnetic    = integrate(rows, [](const TrajectoryRow &row) { return row.magnetic_power_W_m; });
-      const double external    = integrate(rows, [](const TrajectoryRow &row) { return row.external_power_W_m; });
-      const double dissipation = integrate(rows, [](const TrajectoryRow &row) { return row.dissipation_W_m; });
-      const double elastic     = rows.back().elastic_energy_J_m - rows.front().elastic_energy_J_m;
-      const double scale =
-          std::abs(magnetic) > 1e-12 * std::abs(dissipation) ? std::abs(magnetic) : std::abs(dissipation);
-      return scale > 0. ? (magnetic + external - dissipation - elastic) / scale : 0.;
-    }
-
-    /// Index of the row at every full multiple of the period after the first row, that one included.
-    std::vector<std::size_t> period_borders(const Trajectory &trajectory, const double period_s)
-    {
-      constexpr double         tolerance = 1e-9;
-      std::vector<std::size_t> borders;
-      for (std::size_t i = 0; i < trajectory.size(); ++i)
-      {
-        const double periods = (trajectory[i].time_s - trajectory.front().time_s) / period_s;
-        const double next    = static_cast<double>(borders.size());
-        if (std::abs(periods - next) <= tolerance * std::max(1., next))
-          borders.push_back(i);
-        else if (periods > next)
-          throw InputError(
-              fmt::format("the trajectory has no row at the end of period {} ({} s)", borders.size(), next * period_s));
-      }
-      return borders;
-    }
   } // namespace
 
   std::vector<double> numbers_of(const TrajectoryRow &row)
@@ -126,24 +86,50 @@ namespace swimtwin
     return row;
   }
 
+  std::vector<std::size_t> period_borders(const Trajectory &trajectory, const double period_s)
+  {
+    constexpr double         tolerance = 1e-9;
+    std::vector<std::size_t> borders;
+    for (std::size_t i = 0; i < trajectory.size(); ++i)
+    {
+      const double periods = (trajectory[i].time_s - trajectory.front().time_s) / period_s;
+      const double next    = static_cast<double>(borders.size());
+      if (std::abs(periods - next) <= tolerance * std::max(1., next))
+        borders.push_back(i);
+      else if (periods > next)
+        throw InputError(
+            fmt::format("the trajectory has no row at the end of period {} ({} s)", borders.size(), next * period_s));
+    }
+    return borders;
+  }
+
+  void summarize_motion(const Trajectory &trajectory, const double period_s, const double initial_angle_rad,
+                        const std::vector<WorkBalance> &periods, RunSummary &summary)
+  {
+    const double                   dx = -std::cos(initial_angle_rad), dy = -std::sin(initial_angle_rad);
+    const std::vector<std::size_t> borders = period_borders(trajectory, period_s);
+    summary.displacement_per_period_m.clear();
+    for (std::size_t k = 1; k < borders.size(); ++k)
+    {
+      const TrajectoryRow &start = trajectory[borders[k - 1]], &end = trajectory[borders[k]];
+      summary.displacement_per_period_m.push_back(dx * (end.head_x_m - start.head_x_m) +
+                                                  dy * (end.head_y_m - start.head_y_m));
+    }
+    summary.net_displacement_m = summary.power_imbalance = summary.worst_power_imbalance = std::nullopt;
+    summary.work_of_last_period                                                          = std::nullopt;
+    if (periods.empty())
+      return;
+    summary.net_displacement_m  = summary.displacement_per_period_m.back();
+    summary.work_of_last_period = periods.back();
+    summary.power_imbalance     = periods.back().imbalance();
+    if (const auto worst = worst_period(periods))
+      summary.worst_power_imbalance = periods[*worst].imbalance();
+  }
+
   void summarize_motion(const Trajectory &trajectory, const double period_s, const double initial_angle_rad,
                         RunSummary &summary)
   {
-    summary.displacement_per_period_m.clear();
-    summary.net_displacement_m = summary.power_imbalance = summary.worst_power_imbalance = 0.;
-
-    const double                   dx = -std::cos(initial_angle_rad), dy = -std::sin(initial_angle_rad);
-    const std::vector<std::size_t> borders = period_borders(trajectory, period_s);
-    for (std::size_t k = 1; k < borders.size(); ++k)
-    {
-      const std::span rows(trajectory.data() + borders[k - 1], borders[k] - borders[k - 1] + 1);
-      summary.net_displacement_m =
-          dx * (rows.back().head_x_m - rows.front().head_x_m) + dy * (rows.back().head_y_m - rows.front().head_y_m);
-      summary.displacement_per_period_m.push_back(summary.net_displacement_m);
-      summary.power_imbalance = power_imbalance(rows);
-      if (std::abs(summary.power_imbalance) > std::abs(summary.worst_power_imbalance))
-        summary.worst_power_imbalance = summary.power_imbalance;
-    }
+    summarize_motion(trajectory, period_s, initial_angle_rad, work_balance_per_period(trajectory, period_s), summary);
   }
 
   void write_trajectory_csv(const std::filesystem::path &file, const Trajectory &trajectory)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,25 +33,47 @@ namespace swimtwin
   std::vector<double> numbers_of(const TrajectoryRow &row);
   TrajectoryRow       row_of(const std::vector<double> &numbers);
 
-  /// What summary.json holds beside provenance.
+  /// Works and stored energy over a stretch of time, per unit depth (datasets/work_balance.h).
+  struct WorkBalance
+  {
+    double magnetic_J_m = 0., external_J_m = 0., dissipated_J_m = 0.;
+    double stored_J_m = 0.; ///< gain of elastic energy
+
+    double missing_J_m() const { return magnetic_J_m + external_J_m - dissipated_J_m - stored_J_m; }
+    /// What it is compared with: the magnetic work, or the dissipation where the field does none (below round-off of
+    /// the dissipation). Zero: there is nothing to balance.
+    double                scale_J_m() const;
+    std::optional<double> imbalance() const; ///< missing / scale; none without a scale
+  };
+
+  /// What summary.json holds beside provenance. An optional that is empty was not computed.
   struct RunSummary
   {
-    std::string         status = "not run";        ///< "completed", "failed: <cause>"
-    std::vector<double> displacement_per_period_m; ///< of the head's centre, along the initial head-first direction
-    double              net_displacement_m = 0.;   ///< of the last full period
-    int                 n_unknowns = 0, n_steps = 0, n_linear_solves = 0, n_factorizations = 0;
-    int                 n_tail_linear_solves = 0, n_tail_factorizations = 0; ///< of those, on the tail alone
-    double              coupling_iterations_mean = 0.;
-    int                 n_remeshes = 0, n_step_halvings = 0;
-    double              power_imbalance       = 0.; ///< over the last full period, relative to its magnetic work
-    double              worst_power_imbalance = 0.; ///< worst single period
-    double              wall_time_s = 0., cpu_time_s = 0., peak_memory_MB = 0.;
+    std::string           status = "not run";        ///< "completed", "failed: <cause>"
+    std::vector<double>   displacement_per_period_m; ///< of the head's centre, along the initial head-first direction
+    std::optional<double> net_displacement_m;        ///< of the last full period; none without one
+    int                   n_unknowns = 0, n_steps = 0, n_linear_solves = 0, n_factorizations = 0;
+    int                   n_tail_linear_solves = 0, n_tail_factorizations = 0; ///< of those, on the tail alone
+    std::optional<double> coupling_iterations_mean;                            ///< per step; none without a step
+    int                   n_remeshes = 0, n_step_halvings = 0;
+    std::optional<double> power_imbalance; ///< over the last full period, relative to its magnetic work; none without
+                                           ///< a period, and without work and dissipation
+    std::optional<double>                       worst_power_imbalance; ///< worst single period
+    std::optional<WorkBalance>                  work_of_last_period;
+    double                                      wall_time_s = 0., cpu_time_s = 0., peak_memory_MB = 0.;
     std::vector<std::pair<std::string, double>> cpu_time_of_part_s; ///< assembly, factorisation, ...
     std::vector<std::string>                    warnings; ///< why the result may not be trusted, one sentence each
   };
 
-  /// Displacements and power imbalances by period from the rows; counters are left as they are.
+  /// Index of the row at every full multiple of the period after the first row, that one included. Throws InputError if
+  /// one is missing.
+  std::vector<std::size_t> period_borders(const Trajectory &trajectory, double period_s);
+
+  /// Displacements by period from the rows, and the balances of the periods; counters are left as they are.
   /// `initial_angle_rad` fixes the head-first direction -(cos, sin). Needs rows at every multiple of the period.
+  void summarize_motion(const Trajectory &trajectory, double period_s, double initial_angle_rad,
+                        const std::vector<WorkBalance> &periods, RunSummary &summary);
+  /// The same with balances from the powers of the rows alone.
   void summarize_motion(const Trajectory &trajectory, double period_s, double initial_angle_rad, RunSummary &summary);
 
   /// CSV with a header line of the field names above; the numbers read back the same. ComputationError for a number

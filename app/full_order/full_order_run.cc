@@ -1,5 +1,6 @@
 #include <app/full_order/full_order_run.h>
 
+#include <datasets/error.h>
 #include <fom/run/simulation.h>
 
 namespace swimtwin
@@ -8,7 +9,11 @@ namespace swimtwin
   {
     std::filesystem::create_directories(folder);
     SimulationOptions options;
-    options.folder = folder;
-    return simulate(scene, options, MPI_COMM_SELF).summary.net_displacement_m;
+    options.folder           = folder;
+    const RunSummary summary = simulate(scene, options, MPI_COMM_SELF).summary;
+    if (!summary.net_displacement_m)
+      throw ComputationError(scene.name + " ends before its first period: there is no displacement to compare with; "
+                                          "raise [time] periods to at least 1");
+    return *summary.net_displacement_m;
   }
 } // namespace swimtwin

@@ -1,4 +1,4 @@
-// The fluid's mesh around a swimmer, in the way its scene is solved.
+// Meshes of the fluid around a swimmer.
 #pragma once
 
 #include <fom/body/swimmer.h>
@@ -6,7 +6,12 @@
 
 namespace swimtwin
 {
-  /// Mesh the fluid around the swimmer as it is: the whole of it, or its upper half and the reflection if half of the
-  /// scene is solved. Collective; throws ComputationError.
+  /// Mesh the fluid around a configuration; where half of the scene is solved, the upper half, reflected. Collective.
+  /// At rest, the scene's settings are to blame for a mesh that fails: throws InputError that names the mesh size that
+  /// does it. Else throws ComputationError, InvertedElement if an element is inside out.
   FluidMesh<2> mesh_around(const Swimmer<2> &swimmer, const Configuration<2> &configuration, MPI_Comm communicator);
+
+  /// The same, never by halves.
+  FluidMesh<2> mesh_whole_around(const Swimmer<2> &swimmer, const Configuration<2> &configuration,
+                                 MPI_Comm communicator);
 } // namespace swimtwin

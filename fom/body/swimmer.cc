@@ -1,6 +1,7 @@
 #include <fom/body/swimmer.h>
 
 #include <datasets/mirror_plane.h>
+#include <fom/body/finer_mesh.h>
 #include <fom/mesh/swimmer_outline.h>
 
 #include <algorithm>
@@ -37,12 +38,22 @@ namespace swimtwin
   template <int dim>
   void Swimmer<dim>::make_tail(const SwimmerOutline &outline, const MPI_Comm communicator)
   {
-    tail_                    = std::make_unique<TailMesh<dim>>(make_tail_mesh(outline, scene_.numerics, communicator));
+    try
+    {
+      tail_ = std::make_unique<TailMesh<dim>>(make_tail_mesh(outline, scene_.numerics, communicator));
+    }
+    catch (const ComputationError &error)
+    {
+      refuse_mesh_size(scene_, error, [&](const Scene &finer) {
+        make_tail_mesh(make_outline(finer.head, finer.tail, finer.numerics), finer.numerics, communicator);
+        return true;
+      });
+    }
     const unsigned int first = outline.upper_head.size() - 1;
     for (unsigned int i = 0; i < tail_->surface_nodes.size(); ++i)
       tail_node_of_surface_[first + i] = tail_->surface_nodes[i];
     if (scene_.numerics.tail_order == 1)
-      straighten_tail();
+      straighten_surface();
     const LameConstants lame = lame_constants(scene_.tail->young_modulus_Pa, scene_.tail->poisson_ratio);
     elasticity_              = std::make_unique<ElasticTail<dim>>(tail_->mesh, make_law<dim>(scene_.tail->law, lame));
     is_clamped_.assign(tail_->mesh.n_nodes(), 0);
@@ -51,15 +62,11 @@ namespace swimtwin
   }
 
   template <int dim>
-  void Swimmer<dim>::straighten_tail()
+  void Swimmer<dim>::straighten_surface()
   {
-    // Linear displacements turn a cell rigidly only if its edges are straight.
-    auto &mesh = tail_->mesh;
-    for (unsigned int e = 0; e < mesh.edges().size(); ++e)
-      mesh.nodes[mesh.n_vertices() + e] = .5 * (mesh.nodes[mesh.edges()[e][0]] + mesh.nodes[mesh.edges()[e][1]]);
     for (unsigned int k = 0; k < surface_at_rest_.size(); ++k)
       if (tail_node_of_surface_[k] >= 0)
-        surface_at_rest_[k] = mesh.nodes[tail_node_of_surface_[k]];
+        surface_at_rest_[k] = tail_->mesh.nodes[tail_node_of_surface_[k]];
   }
 
   template <int dim>

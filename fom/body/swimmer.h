@@ -45,7 +45,8 @@ namespace swimtwin
     return !(response > 0. && torque_by_rate * response <= 1.);
   }
 
-  /// The body's description; it does not move. Built once per run. Collective.
+  /// The body's description; it does not move. Built once per run. Collective; throws InputError if the scene's mesh
+  /// size does not do for the tail.
   template <int dim>
   class Swimmer
   {
@@ -97,7 +98,7 @@ namespace swimtwin
 
   private:
     void                   make_tail(const SwimmerOutline &outline, MPI_Comm communicator);
-    void                   straighten_tail();
+    void                   straighten_surface();
     void                   weigh_surface();
     dealii::Tensor<1, dim> effective_gravity(double body_density_kg_m3, double time_s) const;
 

@@ -2,6 +2,7 @@
 
 #include <fom/geometry/reflection.h>
 #include <fom/geometry/triangulate.h>
+#include <fom/mesh/inverted_element.h>
 #include <fom/mesh/wall_loop.h>
 
 #include <cmath>
@@ -15,6 +16,8 @@ namespace swimtwin
 
   namespace
   {
+    const char *const name_of_mesh = "the fluid's mesh";
+
     std::vector<Point<2>> vertices_of(const std::vector<Point<2>> &loop)
     {
       std::vector<Point<2>> vertices;
@@ -133,6 +136,7 @@ namespace swimtwin
       name_wall_nodes(domain, inner,
                       curve_loop(fluid.mesh, inner.nodes, numbers_from(n_outer + n_surface, inner.nodes)),
                       fluid.wall_nodes);
+    refuse_inverted_elements(fluid.mesh, name_of_mesh);
     return fluid;
   }
 
@@ -165,6 +169,7 @@ namespace swimtwin
     fluid.surface_nodes = nodes(surface, surface_numbers);
     if (!inner.nodes.empty())
       name_wall_nodes(domain, inner, nodes(inner.nodes, inner_numbers), fluid.wall_nodes);
+    refuse_inverted_elements(fluid.mesh, name_of_mesh);
     return fluid;
   }
 
@@ -190,6 +195,7 @@ namespace swimtwin
   {
     FluidMesh<2> fluid{SimplexMesh<2>(record.soup, communicator), record.surface_nodes, {}, record.image_of_vertex};
     fluid.mesh.nodes = record.nodes;
+    refuse_inverted_elements(fluid.mesh, name_of_mesh);
     for (unsigned int i = 0; i < record.wall_nodes.size(); ++i)
       fluid.wall_nodes.push_back({record.wall_nodes[i], &domain.walls.at(record.wall_names[i]), record.wall_names[i]});
     return fluid;

@@ -26,7 +26,7 @@ namespace swimtwin
 
   /// Mesh the fluid around a swimmer's surface (laboratory positions, quadratic loop, counter-clockwise), which is kept
   /// node for node, with `surface_size` (m) at each of its vertices. A domain that moves with the swimmer is placed by
-  /// the pose. Collective; throws ComputationError.
+  /// the pose. Collective; throws ComputationError, InvertedElement if an element is inside out.
   FluidMesh<2> make_fluid_mesh(const Domain &domain, const std::vector<dealii::Point<2>> &surface,
                                const std::vector<double> &surface_size, const RigidPose<2> &pose,
                                const RigidPose<2> &pose_at_rest, const Numerics &numerics, MPI_Comm communicator);

@@ -2,6 +2,7 @@
 
 #include <fom/geometry/reflection.h>
 #include <fom/geometry/triangulate.h>
+#include <fom/mesh/inverted_element.h>
 
 namespace swimtwin
 {
@@ -38,6 +39,13 @@ namespace swimtwin
         mesh.nodes[nodes.back()] = curve[2 * e + 1];
         nodes.push_back(vertices[e + 1]);
       }
+    }
+
+    /// Linear displacements turn a cell rigidly only if its edges are straight.
+    void straighten(SimplexMesh<2> &mesh)
+    {
+      for (unsigned int e = 0; e < mesh.edges().size(); ++e)
+        mesh.nodes[mesh.n_vertices() + e] = .5 * (mesh.nodes[mesh.edges()[e][0]] + mesh.nodes[mesh.edges()[e][1]]);
     }
 
     QuadraticCurve mirrored_curve(QuadraticCurve curve)
@@ -94,6 +102,9 @@ namespace swimtwin
     tail.surface_nodes.insert(tail.surface_nodes.end(), upper.rbegin() + 1, upper.rend());
     tail.clamped_nodes = upper_root;
     tail.clamped_nodes.insert(tail.clamped_nodes.end(), lower_root.begin() + 1, lower_root.end());
+    if (numerics.tail_order == 1)
+      straighten(mesh);
+    refuse_inverted_elements(mesh, "the tail's mesh (origin at the head's centre)");
     tail.axis_at_tip = {n_axis - 2, mesh.edge_node(n_axis - 2, n_axis - 1), n_axis - 1};
     return tail;
   }

@@ -17,6 +17,7 @@ namespace swimtwin
     std::vector<unsigned int>   image_of_vertex; ///< at y = 0
   };
 
-  /// Mesh the upper half and reflect it, so that shapes have exact parity. Collective.
+  /// Mesh the upper half and reflect it, so that shapes have exact parity; edges are straight where displacements are
+  /// linear. Collective; throws ComputationError, InvertedElement if an element is inside out.
   TailMesh<2> make_tail_mesh(const SwimmerOutline &outline, const Numerics &numerics, MPI_Comm communicator);
 } // namespace swimtwin

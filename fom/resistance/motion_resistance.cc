@@ -1,6 +1,8 @@
 #include <fom/resistance/motion_resistance.h>
 
 #include <datasets/error.h>
+#include <fom/body/mesh_around.h>
+#include <fom/resistance/positive_definite.h>
 
 #include <cmath>
 #include <numeric>
@@ -162,17 +164,11 @@ namespace swimtwin
       std::vector<double>     load_of_source_; ///< of a unit source spread over the fluid; zero in an open domain
     };
 
-    /// Its largest relative asymmetry; then only the symmetric part is left.
-    double symmetrize(FullMatrix<double> &R)
+    void symmetrize(FullMatrix<double> &R)
     {
-      double largest = 0.;
       for (unsigned int i = 0; i < R.m(); ++i)
         for (unsigned int j = 0; j < i; ++j)
-        {
-          largest = std::max(largest, std::abs(R(i, j) - R(j, i)) / std::sqrt(R(i, i) * R(j, j)));
           R(i, j) = R(j, i) = (R(i, j) + R(j, i)) / 2;
-        }
-      return largest;
     }
   } // namespace
 
@@ -200,7 +196,9 @@ namespace swimtwin
           for (int c = 0; c < dim; ++c)
             result.matrix(i, j) += motions[i][k][c] * responses[j].force[fluid.surface_row(k, c)];
       }
-    result.asymmetry = symmetrize(result.matrix);
+    result.asymmetry = largest_asymmetry(result.matrix);
+    symmetrize(result.matrix);
+    check_resistance(result.matrix, result.asymmetry);
     return result;
   }
 
@@ -209,13 +207,8 @@ namespace swimtwin
                                                   const std::vector<NodalField<dim>> &modes,
                                                   const MPI_Comm                      communicator)
   {
-    const Scene           &scene = swimmer.scene();
-    const auto             pose  = configuration.pose;
-    const FluidDomain<dim> fluid(scene,
-                                 make_fluid_mesh(*scene.domain, swimmer.surface(configuration),
-                                                 swimmer.surface_mesh_size(), pose, swimmer.pose_at_rest(),
-                                                 scene.numerics, communicator),
-                                 pose);
+    const FluidDomain<dim> fluid(swimmer.scene(), mesh_whole_around(swimmer, configuration, communicator),
+                                 configuration.pose);
     return compute_motion_resistance(swimmer, fluid, configuration, modes);
   }
 

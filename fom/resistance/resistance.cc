@@ -1,37 +1,20 @@
 #include <fom/resistance/resistance.h>
 
 #include <datasets/error.h>
+#include <fom/body/mesh_around.h>
 #include <fom/resistance/fluid_rigid_system.h>
-
-#include <cmath>
+#include <fom/resistance/positive_definite.h>
 
 namespace swimtwin
 {
   using namespace dealii;
-
-  namespace
-  {
-    template <int dim>
-    double largest_asymmetry(const FullMatrix<double> &R)
-    {
-      double largest = 0.;
-      for (int i = 0; i < n_rigid<dim>; ++i)
-        for (int j = 0; j < i; ++j)
-          largest = std::max(largest, std::abs(R(i, j) - R(j, i)) / std::sqrt(R(i, i) * R(j, j)));
-      return largest;
-    }
-  } // namespace
 
   template <int dim>
   ResistanceResult<dim> compute_resistance(const Swimmer<dim> &swimmer, const Configuration<dim> &configuration,
                                            const MPI_Comm communicator)
   {
     const Scene     &scene = swimmer.scene();
-    const auto       pose  = configuration.pose;
-    FluidDomain<dim> fluid(scene,
-                           make_fluid_mesh(*scene.domain, swimmer.surface(configuration), swimmer.surface_mesh_size(),
-                                           pose, swimmer.pose_at_rest(), scene.numerics, communicator),
-                           pose);
+    FluidDomain<dim> fluid(scene, mesh_whole_around(swimmer, configuration, communicator), configuration.pose);
 
     LinearSolverOptions options;
     options.tolerance = 1e-13;
@@ -58,7 +41,8 @@ namespace swimtwin
 
     ResistanceResult<dim> result{FullMatrix<double>(n, n), 0., system.n_unknowns(), fluid.mesh().n_cells()};
     result.matrix.invert(mobility);
-    result.asymmetry = largest_asymmetry<dim>(result.matrix);
+    result.asymmetry = largest_asymmetry(result.matrix);
+    check_resistance(result.matrix, result.asymmetry);
     return result;
   }
 

@@ -157,6 +157,22 @@ namespace swimtwin
       return mesh;
     }
 
+    std::vector<std::vector<double>> rows_of(const std::vector<IntervalWork> &works)
+    {
+      std::vector<std::vector<double>> result;
+      for (const auto &work : works)
+        result.push_back({work.magnetic_J_m, work.external_J_m, work.dissipated_J_m});
+      return result;
+    }
+
+    std::vector<IntervalWork> works_of(const std::vector<std::vector<double>> &rows)
+    {
+      std::vector<IntervalWork> works;
+      for (const auto &row : rows)
+        works.push_back({row.at(0), row.at(1), row.at(2)});
+      return works;
+    }
+
     /// One list of numbers for both directions: `visit(name, member)`.
     template <typename CheckpointType, typename Visitor>
     void for_each_number(CheckpointType &checkpoint, const Visitor &visit)
@@ -210,6 +226,15 @@ namespace swimtwin
       write_fluid_mesh(file, *model.fluid_mesh);
     file.write_matrix("/trajectory", matrix(checkpoint.rows), number);
     file.write_matrix("/shapes", matrix(checkpoint.shapes), number);
+    if (model.balance)
+    {
+      file.write_vector("/powers_W_m",
+                        std::vector<double>{model.balance->magnetic, model.balance->gravity, model.balance->wall},
+                        number);
+      file.write_vector("/surface_force_N_m", model.balance->surface_force, number);
+    }
+    if (!checkpoint.first_works.empty())
+      file.write_matrix("/first_works_J_m", matrix(rows_of(checkpoint.first_works)), number);
     for_each_number(checkpoint, [&](const std::string &name, const auto value) {
       file.write_attribute("/", name, static_cast<double>(value));
     });
@@ -240,6 +265,14 @@ namespace swimtwin
       model.fluid_mesh = read_fluid_mesh(file);
     checkpoint.rows   = rows(file.read_matrix("/trajectory"));
     checkpoint.shapes = rows(file.read_matrix("/shapes"));
+    if (file.contains("/powers_W_m"))
+    {
+      const auto powers            = file.read_vector("/powers_W_m");
+      model.balance                = PowerBalance{powers.at(0), powers.at(1), powers.at(2), 0., 0., {}, {}};
+      model.balance->surface_force = file.read_vector("/surface_force_N_m");
+    }
+    if (file.contains("/first_works_J_m"))
+      checkpoint.first_works = works_of(rows(file.read_matrix("/first_works_J_m")));
     return checkpoint;
   }
 } // namespace swimtwin

@@ -12,7 +12,8 @@ namespace swimtwin
   struct Checkpoint
   {
     ModelState<2>                    model;
-    std::vector<std::vector<double>> rows, shapes; ///< of RunRecorder
+    std::vector<std::vector<double>> rows, shapes; ///< of RunRecorder, like the works
+    std::vector<IntervalWork>        first_works = {};
     double                           wall_time_s = 0., cpu_time_s = 0.;
   };
 

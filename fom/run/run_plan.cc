@@ -23,6 +23,7 @@ namespace swimtwin
       return 195. + 0.004 * n_unknowns;
     }
     constexpr double iterations_per_step = 1.5;
+    constexpr double n_unknowns_measured = 210e3; ///< docs/stress.md
 
     void plan_fluid(const Scene &scene, RunPlan &plan)
     {
@@ -34,7 +35,8 @@ namespace swimtwin
       }
       plan.solved.push_back({"fluid", "Stokes flow, P2/P1 triangles with second-order geometry"});
       const double group = unsteady_group(scene);
-      plan.numbers.push_back({"unsteady group", fmt::format("2 pi rho f L^2 / mu = {:.3g}", group)});
+      plan.numbers.push_back({"unsteady group", fmt::format("2 pi rho f L^2 / mu = {:.3g}{}", group,
+                                                            scene.field.period_s() > 0. ? "" : ", f one per run")});
       plan.skipped.push_back(
           {"fluid inertia",
            fmt::format("the quasi-static model neglects it; relative size of what is neglected: up to {:.2g}", group)});
@@ -146,10 +148,11 @@ namespace swimtwin
       plan.n_fluid_cells = fluid->mesh().n_cells();
       plan.mesh_quality  = fluid->quality();
       if (plan.mesh_quality < scene.numerics.remesh_quality)
-        plan.warnings.push_back(fmt::format(
-            "the mesh at rest has an element of quality {:.2f}, below [numerics] remesh_quality = {}: every "
-            "step would remesh; lower mesh_growth or mesh_size_m",
-            plan.mesh_quality, scene.numerics.remesh_quality));
+        plan.warnings.push_back(
+            fmt::format("the mesh at rest has an element of quality {:.2f}, below [numerics] remesh_quality = {}: the "
+                        "flow is coarse "
+                        "there, and the run remeshes when the quality has halved; lower mesh_growth or mesh_size_m",
+                        plan.mesh_quality, scene.numerics.remesh_quality));
     }
     if (swimmer.has_tail())
       plan.n_tail_cells = swimmer.tail().mesh.n_cells();
@@ -158,6 +161,7 @@ namespace swimtwin
     plan.n_unknowns          = coupling->n_unknowns();
     plan.estimated_time_s    = scene.time.n_steps() * iterations_per_step * seconds_per_iteration(plan.n_unknowns);
     plan.estimated_memory_MB = memory_MB(plan.n_unknowns);
+    plan.is_extrapolated     = plan.n_unknowns > n_unknowns_measured;
     return plan;
   }
 } // namespace swimtwin

@@ -22,6 +22,7 @@ namespace swimtwin
     std::vector<std::string> warnings;
     unsigned int             n_fluid_cells = 0, n_tail_cells = 0, n_unknowns = 0;
     double                   mesh_quality = 1., estimated_time_s = 0., estimated_memory_MB = 0.;
+    bool                     is_extrapolated = false; ///< the estimates, beyond the sizes that were measured
   };
 
   /// Meshes the scene, solves nothing. Collective.

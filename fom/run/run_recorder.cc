@@ -57,6 +57,8 @@ namespace swimtwin
     row.n_unknowns          = model.n_unknowns();
     row.remeshed            = model.just_remeshed();
     trajectory_.push_back(row);
+    if (const auto &work = model.work_of_last_step())
+      first_works_.push_back(*work);
 
     if (!is_snapshot(grid_step))
       return;
@@ -117,8 +119,10 @@ namespace swimtwin
     return result;
   }
 
-  void RunRecorder::restore(const std::vector<std::vector<double>> &rows, std::vector<std::vector<double>> shapes)
+  void RunRecorder::restore(const std::vector<std::vector<double>> &rows, std::vector<std::vector<double>> shapes,
+                            std::vector<IntervalWork> first_works)
   {
+    first_works_ = std::move(first_works);
     trajectory_.clear();
     for (const auto &row : rows)
       trajectory_.push_back(row_of(row));

@@ -16,19 +16,23 @@ namespace swimtwin
     void note(const FullOrderModel<2> &model, int grid_step);
 
     const Trajectory &trajectory() const { return trajectory_; }
+    /// Works of the first intervals between rows, where powers do not tell them (fom/step/start_work.h).
+    const std::vector<IntervalWork> &first_works() const { return first_works_; }
     /// Tail mesh, mass matrix and the shapes noted so far.
     SnapshotSet snapshots(const Swimmer<2> &swimmer) const;
 
     /// Flat copies for a checkpoint: rows of numbers.
     std::vector<std::vector<double>> rows() const;
     std::vector<std::vector<double>> shapes() const { return shapes_; }
-    void restore(const std::vector<std::vector<double>> &rows, std::vector<std::vector<double>> shapes);
+    void restore(const std::vector<std::vector<double>> &rows, std::vector<std::vector<double>> shapes,
+                 std::vector<IntervalWork> first_works);
 
   private:
     bool is_snapshot(int grid_step) const;
 
     const Scene                     &scene_;
     Trajectory                       trajectory_;
+    std::vector<IntervalWork>        first_works_;
     std::vector<std::vector<double>> shapes_; ///< time, pose (3), field (3), displacement (n), velocity (n)
   };
 } // namespace swimtwin

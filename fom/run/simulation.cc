@@ -114,8 +114,12 @@ namespace swimtwin
 
       void save()
       {
-        const Checkpoint checkpoint{model_.state(), recorder_.rows(), recorder_.shapes(),
-                                    wall_before_ + seconds_since(start_), cpu_before_ + process_cpu_time_s()};
+        const Checkpoint checkpoint{model_.state(),
+                                    recorder_.rows(),
+                                    recorder_.shapes(),
+                                    recorder_.first_works(),
+                                    wall_before_ + seconds_since(start_),
+                                    cpu_before_ + process_cpu_time_s()};
         if (is_writer_)
           write_checkpoint(checkpoint_file_, checkpoint, provenance());
       }
@@ -124,7 +128,7 @@ namespace swimtwin
       {
         Checkpoint checkpoint = read_checkpoint(checkpoint_file_, scene_);
         model_.restore(checkpoint.model);
-        recorder_.restore(checkpoint.rows, std::move(checkpoint.shapes));
+        recorder_.restore(checkpoint.rows, std::move(checkpoint.shapes), std::move(checkpoint.first_works));
         grid_step_   = checkpoint.model.grid_step;
         wall_before_ = checkpoint.wall_time_s;
         cpu_before_  = checkpoint.cpu_time_s;
@@ -136,7 +140,9 @@ namespace swimtwin
       {
         RunSummary summary;
         summary.status = status;
-        summarize_motion(recorder_.trajectory(), scene_.time.period_s, scene_.head.angle_rad, summary);
+        const auto balances =
+            work_balance_per_period(recorder_.trajectory(), scene_.time.period_s, recorder_.first_works());
+        summarize_motion(recorder_.trajectory(), scene_.time.period_s, scene_.head.angle_rad, balances, summary);
         const StepCounts        &counts   = model_.counts();
         const CouplingCounts    &coupling = model_.coupling().counts();
         const LinearSolverCounts linear   = model_.coupling().linear_counts(),
@@ -147,37 +153,47 @@ namespace swimtwin
         summary.n_factorizations          = linear.n_factorizations + tail.n_factorizations;
         summary.n_tail_linear_solves      = tail.n_solves;
         summary.n_tail_factorizations     = tail.n_factorizations;
-        summary.coupling_iterations_mean  = counts.n_steps > 0 ? double(coupling.n_iterations) / counts.n_steps : 0.;
-        summary.n_remeshes                = counts.n_remeshes;
-        summary.n_step_halvings           = counts.n_step_halvings;
-        summary.wall_time_s               = wall_before_ + seconds_since(start_);
-        summary.cpu_time_s                = cpu_before_ + process_cpu_time_s();
-        summary.peak_memory_MB            = peak_memory_MB();
-        summary.cpu_time_of_part_s        = {{"factorization", linear.factorization_cpu_s},
-                                             {"krylov_solve", linear.solve_cpu_s},
-                                             {"assembly", coupling.iteration_cpu_s - coupling.tail_cpu_s -
-                                                              linear.factorization_cpu_s - linear.solve_cpu_s},
-                                             {"tail_equilibrium", coupling.tail_cpu_s},
-                                             {"mesh_motion", coupling.mesh_motion_cpu_s},
-                                             {"remeshing", counts.remeshing_cpu_s}};
-        summary.warnings                  = warnings(summary);
+        if (counts.n_steps > 0)
+          summary.coupling_iterations_mean = double(coupling.n_iterations) / counts.n_steps;
+        summary.n_remeshes         = counts.n_remeshes;
+        summary.n_step_halvings    = counts.n_step_halvings;
+        summary.wall_time_s        = wall_before_ + seconds_since(start_);
+        summary.cpu_time_s         = cpu_before_ + process_cpu_time_s();
+        summary.peak_memory_MB     = peak_memory_MB();
+        summary.cpu_time_of_part_s = {{"factorization", linear.factorization_cpu_s},
+                                      {"krylov_solve", linear.solve_cpu_s},
+                                      {"assembly", coupling.iteration_cpu_s - coupling.tail_cpu_s -
+                                                       linear.factorization_cpu_s - linear.solve_cpu_s},
+                                      {"tail_equilibrium", coupling.tail_cpu_s},
+                                      {"mesh_motion", coupling.mesh_motion_cpu_s},
+                                      {"remeshing", counts.remeshing_cpu_s}};
+        summary.warnings           = warnings(balances);
         return summary;
       }
 
       /// What a user has to know before trusting the numbers.
-      std::vector<std::string> warnings(const RunSummary &summary) const
+      std::vector<std::string> warnings(const std::vector<WorkBalance> &balances) const
       {
-        constexpr double         open_balance = 0.05;
         std::vector<std::string> result;
-        if (const std::string inertia = inertia_warning(scene_); !inertia.empty())
-          result.push_back(inertia);
-        if (const std::string symmetry = symmetry_warning(scene_); !symmetry.empty())
-          result.push_back(symmetry);
-        if (std::abs(summary.worst_power_imbalance) > open_balance)
-          result.push_back(fmt::format("the power balance is open by {:.1f} % in the worst period: the motion is not "
-                                       "resolved in time; raise [time] steps_per_period",
-                                       100. * summary.worst_power_imbalance));
+        for (const std::string &warning :
+             {inertia_warning(scene_), symmetry_warning(scene_), open_balance_warning(balances)})
+          if (!warning.empty())
+            result.push_back(warning);
         return result;
+      }
+
+      /// Empty if the balance closes as well as can be expected of the steps.
+      std::string open_balance_warning(const std::vector<WorkBalance> &balances) const
+      {
+        const auto   worst = worst_period(balances);
+        const double bound = largest_expected_imbalance(scene_.time.steps_per_period);
+        if (!worst || std::abs(*balances[*worst].imbalance()) <= bound)
+          return {};
+        return fmt::format(
+            "the power balance is open by {:.2g} % in period {}, more than the {:.2g} % that steps of this "
+            "size explain: motion or field change too fast for the step; raise [time] steps_per_period, or "
+            "let the field change more slowly",
+            100. * *balances[*worst].imbalance(), *worst + 1, 100. * bound);
       }
 
       SimulationResult write(const std::string &status)

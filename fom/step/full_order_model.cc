@@ -3,11 +3,13 @@
 #include <datasets/error.h>
 #include <fom/algebra/cpu_time.h>
 #include <fom/body/mesh_around.h>
+#include <fom/mesh/inverted_element.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 namespace swimtwin
 {
@@ -43,7 +45,7 @@ namespace swimtwin
   template <int dim>
   FullOrderModel<dim>::FullOrderModel(const Scene &scene, const MPI_Comm communicator)
       : scene_(scene), communicator_(communicator), swimmer_(scene, communicator),
-        coupling_(make_coupling(swimmer_, communicator))
+        coupling_(make_coupling(swimmer_, communicator)), follows_way_(starts_under_load(swimmer_))
   {
     now_.configuration = swimmer_.configuration_at_rest();
     now_.rates.shape_rate.resize(now_.configuration.shape.size());
@@ -80,18 +82,19 @@ namespace swimtwin
   {
     iterations_of_last_step_ = 0;
     just_remeshed_           = false;
-    const double tick        = scene_.time.time_step_s() / ticks_per_step;
-    bool         fresh_mesh  = steps_since_remeshing_ == 0;
-    int          largest = time_step_before_ == 0. ? ticks_of_first_step : ticks_per_step, halvings = 0;
-    int          longest = ticks_per_step;
+    work_.reset();
+    if (follows_way_)
+      work_.emplace();
+    const PowerBalance balance_then = balance_;
+    const double       tick         = scene_.time.time_step_s() / ticks_per_step;
+    bool               fresh_mesh   = steps_since_remeshing_ == 0;
+    int                largest = time_step_before_ == 0. ? ticks_of_first_step : ticks_per_step, halvings = 0;
+    int                longest = ticks_per_step;
     for (int done = 0; done < ticks_per_step;)
     {
       // A new mesh is made just before it is needed, so that the fields of every instant can still be read.
-      if (remesh_is_due_)
-      {
-        remesh();
+      if (std::exchange(remesh_is_due_, false) && remesh())
         fresh_mesh = just_remeshed_ = true;
-      }
       const int         ticks   = next_ticks(done, largest);
       const StepOutcome outcome = try_step(ticks * tick);
       if (outcome == StepOutcome::accepted)
@@ -103,8 +106,9 @@ namespace swimtwin
       }
       else if (fluid_ && !fresh_mesh && outcome != StepOutcome::unstable_equilibrium)
       {
-        remesh();
-        fresh_mesh = just_remeshed_ = true;
+        fresh_mesh = true; // or there is none to be had
+        if (remesh())
+          just_remeshed_ = true;
       }
       else if (halvings < scene_.numerics.max_step_halvings && ticks > 1)
       {
@@ -118,6 +122,12 @@ namespace swimtwin
         give_up(outcome, halvings);
     }
     ++grid_step_;
+    if (follows_way_ && grid_step_ > 1 && powers_are_smooth_again(balance_then, balance_))
+    {
+      work_.reset();
+      follows_way_ = false;
+    }
+    follows_way_ = follows_way_ && grid_step_ < n_start_steps(scene_.time);
   }
 
   template <int dim>
@@ -143,6 +153,8 @@ namespace swimtwin
     if (!is_about_time && distance < .5 * scene_.numerics.mesh_size_m)
       message << "the body is " << distance << " m from a wall, and contact is not modelled; enlarge the domain, move "
               << "the head, lower the field, or end the run before";
+    else if (outcome == StepOutcome::mesh_inverted && !why_no_mesh_.empty())
+      message << "a new one was not to be had, for " << why_no_mesh_ << "; " << remedy(outcome, scene_);
     else
       message << remedy(outcome, scene_);
     throw ComputationError(message.str());
@@ -202,10 +214,13 @@ namespace swimtwin
   template <int dim>
   void FullOrderModel<dim>::accept(const double dt, Configuration<dim> configuration, Rates<dim> rates)
   {
-    before_           = std::move(now_);
-    time_step_before_ = dt;
-    now_              = {before_.time_s + dt, std::move(configuration), std::move(rates)};
-    balance_          = compute_balance();
+    const bool is_first               = time_step_before_ == 0.;
+    before_                           = std::move(now_);
+    time_step_before_                 = dt;
+    now_                              = {before_.time_s + dt, std::move(configuration), std::move(rates)};
+    const PowerBalance balance_before = std::exchange(balance_, compute_balance());
+    if (work_)
+      *work_ += work_along_the_way(swimmer_, before_, is_first ? nullptr : &balance_before, now_, balance_);
     ++counts_.n_steps;
     ++steps_since_remeshing_;
     remesh_is_due_ = fluid_ && wants_remeshing();
@@ -224,7 +239,7 @@ namespace swimtwin
   }
 
   template <int dim>
-  void FullOrderModel<dim>::remesh()
+  bool FullOrderModel<dim>::remesh()
   {
     const ScopedCpuTime time(counts_.remeshing_cpu_s);
     const auto         &c = now_.configuration;
@@ -232,13 +247,20 @@ namespace swimtwin
     {
       use_fluid_mesh(mesh_around(swimmer_, c, communicator_), c.pose);
     }
+    catch (const InvertedElement &error)
+    {
+      why_no_mesh_ = error.what(); // the old mesh is still good, or shorter steps may be
+      return false;
+    }
     catch (const ComputationError &error)
     {
       std::ostringstream message;
       message << "at t = " << now_.time_s << " s " << error.what();
       throw ComputationError(message.str());
     }
+    why_no_mesh_.clear();
     ++counts_.n_remeshes;
+    return true;
   }
 
   template <int dim>
@@ -263,6 +285,8 @@ namespace swimtwin
     state.remesh_is_due         = remesh_is_due_;
     state.counts                = counts_;
     state.coupling              = coupling_->state();
+    if (follows_way_)
+      state.balance = balance_;
     if (fluid_)
     {
       state.fluid_mesh      = record(fluid_->fluid_mesh());
@@ -283,6 +307,9 @@ namespace swimtwin
     steps_since_remeshing_ = state.steps_since_remeshing;
     remesh_is_due_         = state.remesh_is_due;
     counts_                = state.counts;
+    follows_way_           = state.balance.has_value();
+    if (follows_way_)
+      balance_ = *state.balance;
     coupling_->restore(state.coupling);
   }
 

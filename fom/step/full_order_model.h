@@ -1,25 +1,15 @@
 // The full-order swimmer in time: BDF2, a coupling iterated to convergence in every step, remeshing by quality.
 #pragma once
 
-#include <datasets/trajectory.h>
 #include <fom/coupling/coupling.h>
 #include <fom/step/bdf2.h>
-#include <fom/step/power_balance.h>
+#include <fom/step/start_work.h>
 
 #include <memory>
 #include <optional>
 
 namespace swimtwin
 {
-  /// An accepted instant with what the next step needs.
-  template <int dim>
-  struct Instant
-  {
-    double             time_s = 0.;
-    Configuration<dim> configuration;
-    Rates<dim>         rates;
-  };
-
   struct StepCounts
   {
     int    n_steps = 0, n_remeshes = 0, n_step_halvings = 0;
@@ -38,13 +28,15 @@ namespace swimtwin
     bool                                remesh_is_due = false;
     StepCounts                          counts;
     CouplingState                       coupling;
+    std::optional<PowerBalance>         balance; ///< where works are still integrated along the way
   };
 
   template <int dim>
   class FullOrderModel
   {
   public:
-    /// Meshes the scene at rest. The scene must outlive the model. Collective; throws ComputationError.
+    /// Meshes the scene at rest. The scene must outlive the model. Collective; throws ComputationError, and InputError
+    /// if the scene's mesh size does not do at rest.
     FullOrderModel(const Scene &scene, MPI_Comm communicator);
 
     /// Advance by one step of the scene's time grid, with smaller ones inside where they are needed: at the start, and
@@ -62,6 +54,8 @@ namespace swimtwin
     const FluidDomain<dim> *fluid() const { return fluid_.get(); }
     /// Balance of the last accepted step (before any remeshing after it).
     const PowerBalance &balance() const { return balance_; }
+    /// Work of the last advance(), where powers do not tell it: in the first steps of a start under load.
+    const std::optional<IntervalWork> &work_of_last_step() const { return work_; }
     /// Collective. The next step factorises anew, so that a restored run repeats this one's arithmetic.
     ModelState<dim> state();
     void            restore(const ModelState<dim> &state);
@@ -74,7 +68,7 @@ namespace swimtwin
     Configuration<dim> known_part(const Bdf2 &bdf) const;
     Rates<dim>         extrapolated_rates(double growth) const;
     bool               wants_remeshing() const;
-    void               remesh();
+    bool               remesh(); ///< false if the new mesh would have an element inside out; the old one then stays
     void               use_fluid_mesh(FluidMesh<dim> mesh, const RigidPose<dim> &pose);
     void               solve_initial_flow();
     PowerBalance       compute_balance() const;
@@ -85,12 +79,15 @@ namespace swimtwin
     std::unique_ptr<FluidDomain<dim>> fluid_;
     std::unique_ptr<Coupling<dim>>    coupling_;
 
-    Instant<dim> now_, before_;
-    double       time_step_before_ = 0.; ///< 0: nothing before
-    int          grid_step_        = 0;
-    PowerBalance balance_;
-    StepCounts   counts_;
-    int          iterations_of_last_step_ = 0, steps_since_remeshing_ = 0;
-    bool         just_remeshed_ = false, remesh_is_due_ = false;
+    Instant<dim>                now_, before_;
+    double                      time_step_before_ = 0.; ///< 0: nothing before
+    int                         grid_step_        = 0;
+    PowerBalance                balance_;
+    std::string                 why_no_mesh_; ///< of the last remesh()
+    bool                        follows_way_; ///< works are integrated along the way, after a start under load
+    std::optional<IntervalWork> work_;
+    StepCounts                  counts_;
+    int                         iterations_of_last_step_ = 0, steps_since_remeshing_ = 0;
+    bool                        just_remeshed_ = false, remesh_is_due_ = false;
   };
 } // namespace swimtwin

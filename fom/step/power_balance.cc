@@ -67,6 +67,9 @@ namespace swimtwin
       reaction            = fluid->react(fluid_values);
       balance.dissipation = reaction.dissipation;
       balance.wall        = reaction.wall_power;
+      for (unsigned int k = 0; k < swimmer.n_surface_nodes(); ++k)
+        for (int c = 0; c < dim; ++c)
+          balance.surface_force.push_back(reaction.force[fluid->surface_row(k, c)]);
     }
     balance.magnetic = swimmer.torque_on_head(configuration.pose.angle, time_s).torque * rates.omega[0];
     balance.gravity  = swimmer.force_on_head(time_s) * rates.velocity;

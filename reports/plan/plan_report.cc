@@ -39,7 +39,7 @@ namespace swimtwin
                                 {number(um * field.mean_speed_m_s)},
                                 {number(mm * field.displacement_m)},
                                 {number(field.frequency_Hz)},
-                                {number(field.multipliers.empty() ? 0. : field.multipliers.front())},
+                                {field.multipliers.empty() ? "unknown" : number(field.multipliers.front())},
                                 {number(mT * field.largest_field_T)},
                                 {number(field.largest_slew_T_s)},
                                 {number(field.largest_shape_radius)},
@@ -111,13 +111,14 @@ namespace swimtwin
           {"E (Pa)", "viscosity (Pa s)", "magnetization (A/m)", "optimal (µm/s)", "tuned (µm/s)", "gain", "multiplier"},
           {}};
       for (const PlannedMember &member : plan.members)
-        table.rows.push_back({{number(member.young_modulus_Pa)},
-                              {number(member.viscosity_Pa_s)},
-                              {number(member.magnetization_A_m)},
-                              {number(um * member.mean_speed_m_s)},
-                              {number(um * member.tuned_speed_m_s)},
-                              {number(member.mean_speed_m_s / member.tuned_speed_m_s)},
-                              {number(member.largest_multiplier)}});
+        table.rows.push_back(
+            {{number(member.young_modulus_Pa)},
+             {number(member.viscosity_Pa_s)},
+             {number(member.magnetization_A_m)},
+             {number(um * member.mean_speed_m_s)},
+             {number(um * member.tuned_speed_m_s)},
+             {number(member.mean_speed_m_s / member.tuned_speed_m_s)},
+             {std::isfinite(member.largest_multiplier) ? number(member.largest_multiplier) : "unknown"}});
       return table;
     }
   } // namespace

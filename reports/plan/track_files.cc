@@ -50,23 +50,27 @@ namespace swimtwin
       return json;
     }
 
-    Json numbers_of(const TrackResult &result, const double length_m)
+    /// null for what was not computed: means over no decisions, a point that was not asked for.
+    Json numbers_of(const TrackResult &result, const TrackRecord &record)
     {
-      const double f = result.plan.carrier.frequency_Hz;
+      const double length_m = record.body_length_m;
+      const double f        = result.plan.carrier.frequency_Hz;
+      const auto   mean     = [&](const double value) { return result.instants.empty() ? Json() : Json(value); };
       Json         json;
-      json["status"]                             = to_string(result.status);
-      json["message"]                            = result.message;
-      json["duration_s"]                         = (result.end_periods - result.start_periods) / f;
-      json["rms_distance_body_lengths"]          = result.rms_distance_m / length_m;
-      json["largest_distance_body_lengths"]      = result.largest_distance_m / length_m;
-      json["rms_swing_of_head_body_lengths"]     = result.rms_swing_m / length_m;
-      json["rms_heading_error_rad"]              = result.rms_heading_rad;
-      json["rms_distance_of_point_body_lengths"] = result.rms_point_m / length_m;
-      json["axis_points"]                        = axis_points(result.axis, length_m);
-      json["n_decisions"]                        = result.n_decisions;
-      json["n_missed_deadlines"]                 = result.n_missed;
-      json["mean_decision_cpu_s"]                = result.mean_decision_s;
-      json["largest_decision_cpu_s"]             = result.largest_decision_s;
+      json["status"]                         = to_string(result.status);
+      json["message"]                        = result.message;
+      json["duration_s"]                     = (result.end_periods - result.start_periods) / f;
+      json["rms_distance_body_lengths"]      = mean(result.rms_distance_m / length_m);
+      json["largest_distance_body_lengths"]  = mean(result.largest_distance_m / length_m);
+      json["rms_swing_of_head_body_lengths"] = mean(result.rms_swing_m / length_m);
+      json["rms_heading_error_rad"]          = mean(result.rms_heading_rad);
+      json["rms_distance_of_point_body_lengths"] =
+          record.goal.options.point ? mean(result.rms_point_m / length_m) : Json();
+      json["axis_points"]            = axis_points(result.axis, length_m);
+      json["n_decisions"]            = result.n_decisions;
+      json["n_missed_deadlines"]     = result.n_missed;
+      json["mean_decision_cpu_s"]    = mean(result.mean_decision_s);
+      json["largest_decision_cpu_s"] = mean(result.largest_decision_s);
       return json;
     }
   } // namespace
@@ -99,7 +103,7 @@ namespace swimtwin
   void write_track_summary(const std::filesystem::path &file, const TrackRecord &record)
   {
     const TrackResult &result = record.result;
-    Json               json   = numbers_of(result, record.body_length_m);
+    Json               json   = numbers_of(result, record);
     json["kind"]              = to_string(record.goal.kind);
     json["plant"]         = record.goal.kind == TrackingKind::path ? "the model itself" : to_string(record.goal.plant);
     json["path_length_m"] = result.path.length_m();
@@ -108,7 +112,7 @@ namespace swimtwin
     json["lever_m"]              = result.lever_m;
     json["largest_field_T"]      = result.plan.largest_field_T();
     if (record.replay)
-      json["replay"] = numbers_of(*record.replay, record.body_length_m);
+      json["replay"] = numbers_of(*record.replay, record);
     else if (record.goal.kind == TrackingKind::path)
       json["replay"] = "not confirmed";
     write_summary(file, std::move(json), record);

@@ -9,19 +9,6 @@ namespace swimtwin
   namespace
   {
     constexpr double period_round_off = 1e-9;
-
-    double integral(const Rows rows, double TrajectoryRow::*const rate)
-    {
-      double sum = 0.;
-      for (std::size_t i = 1; i < rows.size(); ++i)
-        sum += 0.5 * (rows[i].time_s - rows[i - 1].time_s) * (rows[i].*rate + rows[i - 1].*rate);
-      return sum;
-    }
-
-    double mean(const Rows rows, double TrajectoryRow::*const rate)
-    {
-      return integral(rows, rate) / (rows.back().time_s - rows.front().time_s);
-    }
   } // namespace
 
   TimeAxis time_axis(const Scene &scene, const Trajectory &trajectory)
@@ -88,18 +75,8 @@ namespace swimtwin
     return powers;
   }
 
-  WorkBalance work_balance(const Rows rows)
-  {
-    return {integral(rows, &TrajectoryRow::magnetic_power_W_m), integral(rows, &TrajectoryRow::external_power_W_m),
-            integral(rows, &TrajectoryRow::dissipation_W_m),
-            rows.back().elastic_energy_J_m - rows.front().elastic_energy_J_m};
-  }
-
   double power_scale_W_m(const Rows rows)
   {
-    constexpr double round_off   = 1e-12;
-    const double     magnetic    = std::abs(mean(rows, &TrajectoryRow::magnetic_power_W_m));
-    const double     dissipation = std::abs(mean(rows, &TrajectoryRow::dissipation_W_m));
-    return magnetic > round_off * dissipation ? magnetic : dissipation;
+    return work_balance(rows).scale_J_m() / (rows.back().time_s - rows.front().time_s);
   }
 } // namespace swimtwin

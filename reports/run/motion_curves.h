@@ -2,7 +2,7 @@
 #pragma once
 
 #include <datasets/scene.h>
-#include <datasets/trajectory.h>
+#include <datasets/work_balance.h>
 
 #include <span>
 #include <string>
@@ -38,7 +38,8 @@ namespace swimtwin
   double stroke_loop_area_rad2(Rows rows);
 
   /// Averages over the interval between two rows, in W/m. The residual is power in - dissipation - elastic rate; its
-  /// time integral is the imbalance that the summary reports, because both use the trapezoidal rule.
+  /// time integral is the imbalance that the summary reports where that uses the trapezoidal rule too: everywhere but
+  /// right after a start under load (docs/equations.md, section 11).
   struct IntervalPower
   {
     double time_s           = 0.; ///< middle of the interval
@@ -46,17 +47,6 @@ namespace swimtwin
   };
 
   std::vector<IntervalPower> interval_powers(Rows rows);
-
-  /// Work and energy between the first and the last row, per unit depth; trapezoidal, as the summary's imbalance.
-  struct WorkBalance
-  {
-    double magnetic_J_m = 0., external_J_m = 0., dissipated_J_m = 0.;
-    double stored_J_m = 0.; ///< gain of elastic energy
-
-    double missing_J_m() const { return magnetic_J_m + external_J_m - dissipated_J_m - stored_J_m; }
-  };
-
-  WorkBalance work_balance(Rows rows);
 
   /// |time average| of the magnetic power; without magnetic work that of the dissipation, as the imbalance is measured.
   double power_scale_W_m(Rows rows);

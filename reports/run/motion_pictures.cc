@@ -3,6 +3,7 @@
 #include <reports/page/number_text.h>
 #include <reports/page/picture_extent.h>
 #include <reports/page/shown_units.h>
+#include <reports/run/absent_figures.h>
 #include <reports/run/run_scripts.h>
 
 #include <fmt/format.h>
@@ -23,10 +24,10 @@ namespace swimtwin
 
     std::string displacement_finding(const ShownRun &run)
     {
-      if (run.axis.periodic && !run.summary.displacement_per_period_m.empty())
+      if (run.axis.periodic && run.summary.net_displacement_m)
         return fmt::format("{} mm ({} body lengths) in the last full period, positive head first",
-                           signed_number(mm * run.summary.net_displacement_m, 4),
-                           signed_number(run.summary.net_displacement_m / run.scene.body_length_m(), 2));
+                           signed_number(mm * *run.summary.net_displacement_m, 4),
+                           signed_number(*run.summary.net_displacement_m / run.scene.body_length_m(), 2));
       return fmt::format("{} mm in {:.4g} s, positive head first",
                          signed_number(mm * displacement_m(run.trajectory, run.trajectory.back()), 4),
                          run.trajectory.back().time_s - run.trajectory.front().time_s);
@@ -120,10 +121,10 @@ namespace swimtwin
 
     std::string balance_finding(const ShownRun &run)
     {
-      if (run.summary.displacement_per_period_m.empty())
-        return "";
+      if (!run.summary.power_imbalance)
+        return "no imbalance: " + why_no_imbalance(run.summary);
       const bool magnetic = any_nonzero(run.trajectory, &TrajectoryRow::magnetic_power_W_m);
-      return fmt::format("imbalance {} % of the {} of {}", signed_number(percent * run.summary.power_imbalance, 2),
+      return fmt::format("imbalance {} % of the {} of {}", signed_number(percent * *run.summary.power_imbalance, 2),
                          magnetic ? "magnetic work" : "dissipation",
                          run.axis.periodic ? "the last full period" : "the whole run");
     }

@@ -3,6 +3,7 @@
 #include <reports/page/number_text.h>
 #include <reports/page/provenance_section.h>
 #include <reports/page/shown_units.h>
+#include <reports/run/absent_figures.h>
 #include <reports/run/run_picture.h>
 #include <reports/run/run_tables.h>
 
@@ -14,27 +15,32 @@ namespace swimtwin
 {
   namespace
   {
-    bool has_full_period(const RunFolder &run)
+    std::string displacement_text(const RunFolder &run)
     {
-      return !run.record.summary.displacement_per_period_m.empty();
+      if (run.scene && run.scene->head.fixed)
+        return "the head is held";
+      const RunSummary &summary = run.record.summary;
+      const double      net_m   = summary.displacement_per_period_m.back();
+      return fmt::format("{} mm{} in period {}, positive head first", signed_number(mm * net_m, 4),
+                         run.scene ? fmt::format(" ({} body lengths)", in_body_lengths(run, net_m)) : "",
+                         summary.displacement_per_period_m.size());
     }
 
     std::string verdict_text(const RunFolder &run)
     {
       const RunSummary &summary = run.record.summary;
-      if (!has_full_period(run))
+      if (!has_full_period(summary))
         return fmt::format("{}; no full period was computed", summary.status);
-      return fmt::format("{}; {} mm{} in period {}, positive head first; power imbalance {} %", summary.status,
-                         signed_number(mm * summary.net_displacement_m, 4),
-                         run.scene ? fmt::format(" ({} body lengths)", in_body_lengths(run, summary.net_displacement_m))
-                                   : "",
-                         summary.displacement_per_period_m.size(), signed_number(percent * summary.power_imbalance, 2));
+      return fmt::format("{}; {}; {}", summary.status, displacement_text(run),
+                         summary.power_imbalance
+                             ? fmt::format("power imbalance {} %", signed_number(percent * *summary.power_imbalance, 2))
+                             : "no power imbalance: " + why_no_imbalance(summary));
     }
 
     void add_power_balance(HtmlPage &page, const RunFolder &run)
     {
       page.add_heading("Power balance");
-      if (!has_full_period(run))
+      if (!has_full_period(run.record.summary))
         return page.add_paragraph("It is closed over full periods, and there is none.");
       if (has_works(run))
         page.add_table(work_table(run));
@@ -50,7 +56,7 @@ namespace swimtwin
     page.add_warnings(summary.warnings);
     if (!run.warning.empty())
       page.add_warning(run.warning);
-    if (has_full_period(run))
+    if (has_full_period(summary) && !(run.scene && run.scene->head.fixed))
     {
       page.add_heading("Displacement of the head, positive head first");
       page.add_table(displacement_table(run));

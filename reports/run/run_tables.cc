@@ -3,6 +3,7 @@
 #include <datasets/scene_names.h>
 #include <reports/page/number_text.h>
 #include <reports/page/shown_units.h>
+#include <reports/run/absent_figures.h>
 #include <reports/run/motion_curves.h>
 #include <reports/run/run_picture.h>
 
@@ -59,10 +60,12 @@ namespace swimtwin
 
   HtmlTable work_table(const RunFolder &run)
   {
-    const Rows        rows    = last_periods(run.trajectory, time_axis(*run.scene, run.trajectory), 1);
-    const WorkBalance balance = work_balance(rows);
-    const double      scale   = power_scale_W_m(rows) * (rows.back().time_s - rows.front().time_s);
-    const auto        row     = [&](const char *name, const double work_J_m) {
+    // Runs of earlier versions have their works in the rows alone.
+    const auto       &known = run.record.summary.work_of_last_period;
+    const WorkBalance balance =
+        known ? *known : work_balance(last_periods(run.trajectory, time_axis(*run.scene, run.trajectory), 1));
+    const double scale = balance.scale_J_m();
+    const auto   row   = [&](const char *name, const double work_J_m) {
       return Row{{name},
                  {plain_number(uJ * work_J_m, n_digits)},
                  {scale > 0. ? plain_number(percent * work_J_m / scale, n_digits_rounded) : ""}};
@@ -78,19 +81,25 @@ namespace swimtwin
   {
     return {{},
             {{{"imbalance of the last full period (%)"},
-              {signed_number(percent * summary.power_imbalance, n_digits_rounded)}},
+              {imbalance_text(summary.power_imbalance, summary, n_digits_rounded)}},
              {{"imbalance of the worst period (%)"},
-              {signed_number(percent * summary.worst_power_imbalance, n_digits_rounded)}}}};
+              {imbalance_text(summary.worst_power_imbalance, summary, n_digits_rounded)}}}};
   }
 
   HtmlTable effort_table(const RunSummary &summary)
   {
     return {{},
-            {count_row("unknowns", summary.n_unknowns), count_row("steps", summary.n_steps),
-             number_row("coupling iterations per step", summary.coupling_iterations_mean),
-             count_row("linear solves", summary.n_linear_solves), count_row("factorisations", summary.n_factorizations),
-             count_row("remeshings", summary.n_remeshes), count_row("halved steps", summary.n_step_halvings),
-             number_row("wall time (s)", summary.wall_time_s), number_row("CPU time (s)", summary.cpu_time_s),
+            {count_row("unknowns", summary.n_unknowns),
+             count_row("steps", summary.n_steps),
+             {{"coupling iterations per step"},
+              {summary.coupling_iterations_mean ? plain_number(*summary.coupling_iterations_mean, n_digits)
+                                                : "no step was done"}},
+             count_row("linear solves", summary.n_linear_solves),
+             count_row("factorisations", summary.n_factorizations),
+             count_row("remeshings", summary.n_remeshes),
+             count_row("halved steps", summary.n_step_halvings),
+             number_row("wall time (s)", summary.wall_time_s),
+             number_row("CPU time (s)", summary.cpu_time_s),
              number_row("peak memory (MB)", summary.peak_memory_MB)}};
   }
 

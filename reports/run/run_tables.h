@@ -13,7 +13,7 @@ namespace swimtwin
 
   /// Whether the trajectory tells the works.
   bool has_works(const RunFolder &run);
-  /// Works of the last full period by the trajectory, as in the picture of the power balance.
+  /// Works of the last full period.
   HtmlTable work_table(const RunFolder &run);
   HtmlTable imbalance_table(const RunSummary &summary);
 

@@ -104,17 +104,17 @@ namespace swimtwin
       return points;
     }
 
-    /// Of the runs that swam at least one period of their field with a tail.
+    /// Of the runs that swam at least one period of their field with a tail and a free head.
     std::vector<SweepPoint> points_of(const std::vector<SweepRun> &runs)
     {
       std::vector<SweepPoint> points;
       for (const auto &[folder, run] : runs)
       {
         const auto &[scene, summary] = std::tie(run.scene, run.record.summary);
-        if (has_completed(summary) && !summary.displacement_per_period_m.empty() && scene && scene->tail &&
+        if (has_completed(summary) && summary.net_displacement_m && scene && scene->tail && !scene->head.fixed &&
             scene->field.period_s() > 0.)
           points.push_back({scene->tail->young_modulus_Pa, scene->head.magnetization_A_m, 1. / scene->field.period_s(),
-                            summary.net_displacement_m});
+                            *summary.net_displacement_m});
       }
       return points;
     }

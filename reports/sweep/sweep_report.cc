@@ -3,6 +3,7 @@
 #include <reports/page/number_text.h>
 #include <reports/page/provenance_section.h>
 #include <reports/page/shown_units.h>
+#include <reports/run/absent_figures.h>
 
 #include <fmt/format.h>
 
@@ -67,15 +68,16 @@ namespace swimtwin
     std::vector<HtmlCell> run_row(const SweepRun &entry, const fs::path &page_folder)
     {
       const auto &[scene, summary] = std::tie(entry.run.scene, entry.run.record.summary);
-      const bool        swam       = !summary.displacement_per_period_m.empty();
+      const bool        balanced   = has_full_period(summary) && summary.power_imbalance;
+      const bool        swam       = has_full_period(summary) && !(scene && scene->head.fixed);
       const bool        periodic   = scene && scene->field.period_s() > 0.;
       const std::string none       = "–";
       return {{entry.run.name, target_of(entry, page_folder)},
               {summary.status},
               {periodic ? plain_number(1. / scene->field.period_s(), n_digits) : none},
               {scene && scene->tail ? plain_number(scene->tail->young_modulus_Pa, n_digits) : none},
-              {swam ? signed_number(mm * summary.net_displacement_m, n_digits) : none},
-              {swam ? signed_number(percent * summary.power_imbalance, n_digits_rounded) : none},
+              {swam ? signed_number(mm * summary.displacement_per_period_m.back(), n_digits) : none},
+              {balanced ? signed_number(percent * *summary.power_imbalance, n_digits_rounded) : none},
               {plain_number(summary.cpu_time_s, n_digits)}};
     }
 

@@ -1,5 +1,6 @@
 #include <rom/training/held_out_runs.h>
 
+#include <datasets/error.h>
 #include <datasets/run_summary_json.h>
 #include <rom/sweep.h>
 
@@ -13,6 +14,15 @@ namespace swimtwin
   {
     constexpr int n_periods = 3;
 
+    double displacement_of_last_period(const std::filesystem::path &summary)
+    {
+      const auto displacement_m = read_run_summary_json(summary).summary.net_displacement_m;
+      if (!displacement_m)
+        throw InputError(
+            fmt::format("{}: a full period is missing; remove its folder and train again", summary.string()));
+      return *displacement_m;
+    }
+
     /// Displacement of the last period of each member's run.
     std::vector<double> full_order_displacements(const Scene &scene, const std::vector<RunParameters> &members,
                                                  TrainingRunOptions options, const int steps_per_period,
@@ -24,7 +34,7 @@ namespace swimtwin
                            "output.fields_per_period=0"};
       std::vector<double> displacements;
       for (const auto &folder : run_full_order(scene, members, options, communicator))
-        displacements.push_back(read_run_summary_json(folder / "summary.json").summary.net_displacement_m);
+        displacements.push_back(displacement_of_last_period(folder / "summary.json"));
       return displacements;
     }
 

@@ -70,7 +70,39 @@ namespace swimtwin
     const std::string text = content(folder.path / "summary.json");
     expect_in(text, "\"power_imbalance\": null");
     expect_in(text, "\"status\": \"failed: displacement_per_period_m, power_imbalance not finite\"");
-    EXPECT_TRUE(std::isnan(read_run_summary_json(folder.path / "summary.json").summary.power_imbalance));
+    EXPECT_FALSE(read_run_summary_json(folder.path / "summary.json").summary.power_imbalance.has_value());
+  }
+
+  TEST(RunSummaryJson, NotComputedIsNullInACompletedRun)
+  {
+    const TemporaryFolder folder;
+    RunRecord             record             = example_record();
+    record.summary.displacement_per_period_m = {};
+    record.summary.net_displacement_m = record.summary.power_imbalance = record.summary.worst_power_imbalance =
+        record.summary.coupling_iterations_mean                        = std::nullopt;
+    write_run_summary_json(folder.path / "summary.json", record);
+    const std::string text = content(folder.path / "summary.json");
+    for (const char *key : {"net_displacement_m", "power_imbalance", "worst_power_imbalance",
+                            "coupling_iterations_mean", "work_of_last_period"})
+      expect_in(text, "\n  \"" + std::string(key) + "\": null");
+    expect_in(text, "\"displacement_per_period_m\": []");
+    expect_in(text, "\"status\": \"completed\"");
+    const RunSummary read = read_run_summary_json(folder.path / "summary.json").summary;
+    EXPECT_FALSE(read.net_displacement_m.has_value());
+    EXPECT_FALSE(read.worst_power_imbalance.has_value());
+  }
+
+  TEST(RunSummaryJson, RunsOfEarlierVersionsHaveNoWorks)
+  {
+    const TemporaryFolder folder;
+    RunRecord             record       = example_record();
+    record.summary.work_of_last_period = WorkBalance{1., 2., 3., 4.};
+    write_run_summary_json(folder.path / "summary.json", record);
+    EXPECT_EQ(read_run_summary_json(folder.path / "summary.json").summary.work_of_last_period->stored_J_m, 4.);
+    std::string text  = content(folder.path / "summary.json");
+    const auto  begin = text.find("  \"work_of_last_period\"");
+    text.erase(begin, text.find('}', begin) + 3 - begin);
+    EXPECT_FALSE(read_run_summary_json(folder.write("earlier.json", text)).summary.work_of_last_period.has_value());
   }
 
   TEST(RunSummaryJson, NamesAMissingEntry)

@@ -27,7 +27,7 @@ namespace swimtwin
     ASSERT_EQ(one.summary.n_remeshes + two.summary.n_remeshes + two.summary.n_step_halvings, 0);
     const double difference = distance(one.trajectory, two.trajectory);
     std::cout << GetParam() << " against monolithic: " << difference << " body lengths, "
-              << two.summary.coupling_iterations_mean << " and " << one.summary.coupling_iterations_mean
+              << two.summary.coupling_iterations_mean.value() << " and " << one.summary.coupling_iterations_mean.value()
               << " iterations per step" << std::endl;
     EXPECT_LE(difference, 1e-7);
     EXPECT_LE(largest_angle_difference(one.trajectory, two.trajectory), 1e-7);

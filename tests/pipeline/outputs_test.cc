@@ -86,7 +86,7 @@ namespace swimtwin
     ASSERT_EQ(summary.displacement_per_period_m.size(), 2);
     EXPECT_DOUBLE_EQ(summary.displacement_per_period_m[0], trajectory[0].head_x_m - trajectory[20].head_x_m);
     EXPECT_DOUBLE_EQ(summary.displacement_per_period_m[1], trajectory[20].head_x_m - trajectory[40].head_x_m);
-    EXPECT_EQ(summary.net_displacement_m, summary.displacement_per_period_m[1]);
+    EXPECT_EQ(summary.net_displacement_m.value(), summary.displacement_per_period_m[1]);
   }
 
   TEST(Outputs, ASecondRunRepeatsTheFirst)

@@ -1,4 +1,5 @@
 #include <tests/pipeline/simulation.h>
+#include <tests/places.h>
 
 #include <cmath>
 
@@ -14,8 +15,48 @@ namespace swimtwin
   TEST_P(PowerBalance, ClosesToHalfAPercentWithTheSettingsAsShipped)
   {
     const Motion motion = simulate({GetParam(), {"time.periods=1", "time.steps_per_period=100"}});
-    EXPECT_LE(std::abs(motion.summary.power_imbalance), 0.005);
-    EXPECT_NE(motion.summary.power_imbalance, 0.);
+    EXPECT_LE(std::abs(motion.summary.power_imbalance.value()), 0.005);
+    EXPECT_NE(motion.summary.power_imbalance.value(), 0.);
+  }
+
+  TEST(PowerBalanceOfAStart, AcrossTheFieldClosesLikeASmoothOne)
+  {
+    const auto            across = coarse_swimmer(80, 1.).with({"head.angle_rad=1.5707963267948966"});
+    const TemporaryFolder folder;
+    EXPECT_EQ(simulate(across, folder.path, {"--quiet"}).err, ""); // no warning
+    EXPECT_LE(std::abs(read_motion(folder.path).summary.worst_power_imbalance.value()),
+              0.005 * 100. * 100. / (80. * 80.));
+  }
+
+  // The field swings round between two steps: powers at their ends do not tell what happened in between.
+  TEST(PowerBalanceOfARun, OpenBalanceIsWarnedOfWithItsReason)
+  {
+    const TemporaryFolder folder;
+    folder.write("jump.csv", "time_s,bx_T,by_T\n0,5e-3,0\n1,5e-3,0\n1.001,0,5e-3\n3.999,0,5e-3\n");
+    std::string text  = content(std::string(places::scenes) + "/reference-2d-casefile.toml");
+    const auto  field = text.find("[field]"), next = text.find("[time]");
+    text.replace(field, next - field, "[field]\nprogram = \"jump.csv\"\nperiod_s = 4.0\n");
+    ShrunkScene scene     = coarse_swimmer(100, 1.);
+    scene.name            = folder.write("jump.toml", text);
+    const Outcome outcome = simulate(scene, folder.path / "run", {"--quiet"});
+    expect_in(outcome.err, "warning: the power balance is open by");
+    expect_in(outcome.err, "in period 1, more than the 0.5 % that steps of this size explain");
+    expect_in(outcome.err, "raise [time] steps_per_period");
+    expect_in(content(folder.path / "run/summary.json"), "the power balance is open by");
+  }
+
+  TEST(ShortRun, HasNoFiguresOfAPeriod)
+  {
+    const TemporaryFolder folder;
+    const Outcome         outcome = simulate(coarse_swimmer(20, 0.2), folder.path);
+    expect_in(outcome.out, "no displacement per period: no full period of");
+    expect_in(outcome.out, "no power imbalance: no full period was computed");
+    const RunSummary summary = read_motion(folder.path).summary;
+    EXPECT_EQ(summary.status, "completed");
+    EXPECT_TRUE(summary.displacement_per_period_m.empty());
+    EXPECT_FALSE(summary.net_displacement_m.has_value());
+    EXPECT_FALSE(summary.power_imbalance.has_value());
+    expect_in(content(folder.path / "summary.json"), "\"net_displacement_m\": null");
   }
 
   INSTANTIATE_TEST_SUITE_P(ReferenceScenes, PowerBalance,

@@ -56,6 +56,32 @@ namespace swimtwin
     expect_the_uninterrupted_motion(run);
   }
 
+  // Its first checkpoint, before any step, and the next, among the steps whose works are integrated along the way.
+  TEST(Resume, AStartUnderLoadKeepsItsWorks)
+  {
+    const ShrunkScene across = scene.with({"head.angle_rad=1.5707963267948966"});
+    const double      whole  = simulate(across).summary.power_imbalance.value();
+    for (const int checkpoints : {0, 1})
+    {
+      const TemporaryFolder folder;
+      const auto            run = folder.path / "run";
+      {
+        ChildProcess      child(tool(simulate_arguments(across, run)));
+        const std::string file = run / "checkpoint.h5";
+        ASSERT_TRUE(child.wait_for_file(file));
+        std::error_code ignored;
+        const auto      first = std::filesystem::last_write_time(file, ignored);
+        if (checkpoints > 0)
+        {
+          ASSERT_TRUE(child.wait_until([&] { return std::filesystem::last_write_time(file, ignored) != first; }));
+        }
+        ASSERT_TRUE(child.kill());
+      }
+      simulate(across, run, {"--resume"});
+      EXPECT_NEAR(read_motion(run).summary.power_imbalance.value(), whole, 1e-7);
+    }
+  }
+
   TEST(Resume, ARunThatIsKilledTwiceContinuesToTheSameTrajectory)
   {
     const TemporaryFolder folder;

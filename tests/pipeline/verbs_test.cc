@@ -101,6 +101,21 @@ namespace swimtwin
     EXPECT_GT(matrix(1, 1), matrix(0, 0));
   }
 
+  TEST(Verbs, ElementsInsideOutAreRefusedWithTheMeshSizeToUse)
+  {
+    const ShrunkScene coarse{
+        "rotating-disc",
+        {"numerics.mesh_size_m=4e-3", "numerics.mesh_size_corner_m=4e-3", "numerics.mesh_size_far_m=4e-3"}};
+    for (const char *verb : {"plan", "simulate", "resistance"})
+    {
+      const TemporaryFolder folder;
+      const Outcome         outcome = run_verb(verb, coarse, {"--output", (folder.path / "run").string()});
+      expect_failure(outcome, 2,
+                     {"rotating-disc: [numerics] mesh_size_m = 0.004 m", "inside out at (", "set mesh_size_m = "});
+      EXPECT_FALSE(std::filesystem::exists(folder.path / "run/resistance.json"));
+    }
+  }
+
   TEST(Verbs, QuietOnesPrintNothing)
   {
     for (const char *verb : {"plan", "simulate", "resistance"})

@@ -45,7 +45,7 @@ namespace swimtwin
       return {};
     Motion motion = read_motion(folder.path);
     EXPECT_EQ(motion.summary.status, "completed");
-    EXPECT_LE(std::abs(motion.summary.worst_power_imbalance), balance_bound(steps_per_period));
+    EXPECT_LE(std::abs(motion.summary.worst_power_imbalance.value()), balance_bound(steps_per_period));
     return motion;
   }
 

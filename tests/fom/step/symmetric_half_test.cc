@@ -82,7 +82,7 @@ namespace swimtwin
       whole.restore(state);
     }
 
-    double distance(const Configuration<2> &a, const Configuration<2> &b)
+    double largest_difference(const Configuration<2> &a, const Configuration<2> &b)
     {
       double largest = std::max(a.pose.center.distance(b.pose.center), std::abs(a.pose.angle - b.pose.angle));
       for (unsigned int i = 0; i < a.shape.size(); ++i)
@@ -148,8 +148,8 @@ namespace swimtwin
     EXPECT_LT(half.n_unknowns(), .55 * whole.n_unknowns());
     ASSERT_EQ(whole.counts().n_remeshes, 0) << "the meshes differ";
     const double length = half_scene.body_length_m();
-    EXPECT_GT(distance(half.now().configuration, rest), 1e-6 * length) << "nothing moves";
-    EXPECT_LE(distance(half.now().configuration, whole.now().configuration), 1e-10 * length);
+    EXPECT_GT(largest_difference(half.now().configuration, rest), 1e-6 * length) << "nothing moves";
+    EXPECT_LE(largest_difference(half.now().configuration, whole.now().configuration), 1e-10 * length);
     EXPECT_EQ(half.now().configuration.pose.center[1], rest.pose.center[1]);
 
     const auto &a = half.balance(), &b = whole.balance();
@@ -191,6 +191,6 @@ namespace swimtwin
     stopped.advance();
     restored.advance();
     expect_exact_symmetry(restored);
-    EXPECT_EQ(distance(stopped.now().configuration, restored.now().configuration), 0.);
+    EXPECT_EQ(largest_difference(stopped.now().configuration, restored.now().configuration), 0.);
   }
 } // namespace swimtwin

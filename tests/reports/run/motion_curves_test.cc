@@ -54,8 +54,8 @@ namespace swimtwin
     RunSummary summary;
     summarize_motion(trajectory, period_s, trajectory.front().head_angle_rad, summary);
     EXPECT_NEAR(displacement_m(trajectory, trajectory[300]) - displacement_m(trajectory, trajectory[200]),
-                summary.net_displacement_m, 1e-16);
-    EXPECT_GT(summary.net_displacement_m, 0.);
+                summary.net_displacement_m.value(), 1e-16);
+    EXPECT_GT(summary.net_displacement_m.value(), 0.);
   }
 
   TEST_F(MotionCurves, ResidualIntegratesToTheImbalanceOfTheSummary)
@@ -66,8 +66,8 @@ namespace swimtwin
     double     mean = 0.;
     for (const IntervalPower &power : interval_powers(rows))
       mean += power.residual_W_m / static_cast<double>(rows.size() - 1);
-    EXPECT_NEAR(mean / power_scale_W_m(rows), summary.power_imbalance, 1e-12);
-    EXPECT_NEAR(summary.power_imbalance, -0.01, 1e-4);
+    EXPECT_NEAR(mean / power_scale_W_m(rows), summary.power_imbalance.value(), 1e-12);
+    EXPECT_NEAR(summary.power_imbalance.value(), -0.01, 1e-4);
   }
 
   TEST_F(MotionCurves, MissingWorkIsTheImbalanceOfTheSummary)
@@ -75,7 +75,7 @@ namespace swimtwin
     RunSummary summary;
     summarize_motion(trajectory, period_s, 0., summary);
     const WorkBalance balance = work_balance(last_periods(trajectory, axis, 1));
-    EXPECT_NEAR(balance.missing_J_m() / std::abs(balance.magnetic_J_m), summary.power_imbalance, 1e-12);
+    EXPECT_NEAR(balance.missing_J_m() / std::abs(balance.magnetic_J_m), summary.power_imbalance.value(), 1e-12);
     // mean powers times the period; what oscillates averages out
     EXPECT_NEAR(balance.magnetic_J_m, 4e-4 * period_s, 1e-12);
     EXPECT_NEAR(balance.dissipated_J_m, 1.01 * 4e-4 * period_s, 1e-12);

@@ -77,14 +77,14 @@ namespace swimtwin
     expect_number(text, "steps", summary.n_steps, 0.);
     expect_number(text, "linear solves", summary.n_linear_solves, 0.);
     expect_number(text, "factorisations", summary.n_factorizations, 0.);
-    expect_number(text, "coupling iterations per step", summary.coupling_iterations_mean);
+    expect_number(text, "coupling iterations per step", summary.coupling_iterations_mean.value());
     expect_number(text, "remeshings", summary.n_remeshes, 0.);
     expect_number(text, "halved steps", summary.n_step_halvings, 0.);
     expect_number(text, "wall time (s)", summary.wall_time_s);
     expect_number(text, "CPU time (s)", summary.cpu_time_s);
     expect_number(text, "peak memory (MB)", summary.peak_memory_MB);
-    expect_number(text, "imbalance of the last full period (%)", 100 * summary.power_imbalance);
-    expect_number(text, "imbalance of the worst period (%)", 100 * summary.worst_power_imbalance);
+    expect_number(text, "imbalance of the last full period (%)", 100 * summary.power_imbalance.value());
+    expect_number(text, "imbalance of the worst period (%)", 100 * summary.worst_power_imbalance.value());
   }
 
   TEST_F(RunReport, PartsOfTheCpuTimeAddUpToAllOfIt)
@@ -109,7 +109,7 @@ namespace swimtwin
     const auto        work    = [&](const char *row) { return number_in(cells_of(text, row).at(0)); };
     const double      missing = work("magnetic work") - work("viscous dissipation") - work("gain of elastic energy");
     EXPECT_NEAR(missing, work("missing"), 1e-5 * work("magnetic work"));
-    EXPECT_NEAR(number_in(cells_of(text, "missing").at(1)), 100 * summary.power_imbalance, 1e-3);
+    EXPECT_NEAR(number_in(cells_of(text, "missing").at(1)), 100 * summary.power_imbalance.value(), 1e-3);
   }
 
   TEST_F(RunReport, VerdictSaysWhatTheUserWantsToKnow)
@@ -148,6 +148,33 @@ namespace swimtwin
     expect_in(text, "class=\"verdict bad\"");
     expect_in(text, "power_imbalance not finite");
     EXPECT_EQ(cells_of(text, "imbalance of the last full period (%)"), std::vector<std::string>{"not finite"});
+  }
+
+  TEST_F(RunReport, ShortRunHasWordsWhereAnImbalanceWouldBe)
+  {
+    trajectory.resize(50);
+    summarize_motion(trajectory, scene.field.period_s(), 0., summary);
+    const std::string text = page();
+    expect_in(text, "completed; no full period was computed");
+    EXPECT_EQ(text.find("0 %"), std::string::npos);
+    EXPECT_TRUE(cells_of(text, "imbalance of the last full period (%)").empty());
+  }
+
+  TEST_F(RunReport, WithoutWorkThePageSaysWhyThereIsNoImbalance)
+  {
+    for (TrajectoryRow &row : trajectory)
+      row.magnetic_power_W_m = row.dissipation_W_m = 0.;
+    summarize_motion(trajectory, scene.field.period_s(), 0., summary);
+    EXPECT_EQ(cells_of(page(), "imbalance of the last full period (%)"),
+              std::vector<std::string>{"no magnetic work and no dissipation to compare with"});
+    expect_in(page(), "no power imbalance: no magnetic work");
+  }
+
+  TEST_F(RunReport, WorksAreThoseOfTheSummary)
+  {
+    summary.work_of_last_period = WorkBalance{3e-6, 0., 1e-6, 2e-6};
+    EXPECT_EQ(cells_of(page(), "magnetic work").at(0), "3");
+    EXPECT_EQ(cells_of(page(), "gain of elastic energy").at(0), "2");
   }
 
   TEST_F(RunReport, SceneThatCannotBeReadLeavesThePageWithAWarning)
