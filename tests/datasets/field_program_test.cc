@@ -99,8 +99,9 @@ namespace swimtwin
       folder.write("ramp.json", text);
       return message_of<InputError>([&] { FieldProgram::read_csv(file); });
     };
-    for (const std::string text : {"", "[1]", "{}", "{\"period_s\": \"2 s\"}", "{\"period_s\": -2}", "period_s = 2"})
+    for (const std::string text : {"[1]", "{}", "{\"period_s\": \"2 s\"}", "{\"period_s\": -2}", "period_s = 2"})
       expect_in(message(text), "ramp.json: a positive number period_s, the period of ramp.csv in s, is missing");
+    expect_in(message(""), "ramp.json: the file is empty");
     expect_in(message("{\"period_s\": 2, \"table_sha256\": \"0\"}"), "another table than");
   }
 
