@@ -32,7 +32,10 @@ namespace swimtwin
   TEST(PowerBalanceOfARun, OpenBalanceIsWarnedOfWithItsReason)
   {
     const TemporaryFolder folder;
-    folder.write("jump.csv", "time_s,bx_T,by_T\n0,5e-3,0\n1,5e-3,0\n1.001,0,5e-3\n3.999,0,5e-3\n");
+    std::string           jump = "time_s,bx_T,by_T\n";
+    for (int k = 0; k < 4000; ++k)
+      jump += std::to_string(1e-3 * k) + (k <= 1000 ? ",5e-3,0\n" : ",0,5e-3\n");
+    folder.write("jump.csv", jump);
     std::string text  = content(std::string(places::scenes) + "/reference-2d-casefile.toml");
     const auto  field = text.find("[field]"), next = text.find("[time]");
     text.replace(field, next - field, "[field]\nprogram = \"jump.csv\"\nperiod_s = 4.0\n");

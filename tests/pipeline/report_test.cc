@@ -86,12 +86,21 @@ namespace swimtwin
 
   TEST_F(Report, WithoutGnuplotHasNoPicturesAndAWarningThatSaysSo)
   {
+    const Outcome outcome = run({"env", "PATH=" + folder.path.string(), places::tool, "report", run_folder});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    expect_in(outcome.err, "gnuplot is not installed");
+    expect_in(content(page), "gnuplot is not installed");
+    EXPECT_EQ(n_pictures(page), 0);
+  }
+
+  TEST_F(Report, WithAGnuplotThatFailsHasNoPicturesAndSaysHowItFailed)
+  {
     fs::permissions(folder.write("gnuplot", "#!/bin/sh\nexit 1\n"), fs::perms::owner_all);
     const std::string path    = fmt::format("PATH={}:{}", folder.path.string(), std::getenv("PATH"));
     const Outcome     outcome = run({"env", path, places::tool, "report", run_folder});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    expect_in(outcome.err, "gnuplot is not installed");
-    expect_in(content(page), "gnuplot is not installed");
+    expect_in(outcome.err, "`gnuplot --version` fails: it ended with exit code 1");
+    expect_in(content(page), "`gnuplot --version` fails");
     EXPECT_EQ(n_pictures(page), 0);
   }
 

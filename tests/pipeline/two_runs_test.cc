@@ -94,7 +94,7 @@ namespace swimtwin
     const TemporaryFolder folder;
     simulate(brief_run, folder.path);
     const std::string program = (folder.path / "trajectory.csv").string();
-    const auto        replay  = brief_run.with({"field={program=\"" + program + "\", period_s=0.8}"});
+    const auto        replay  = brief_run.with({"field={program=\"" + program + "\", period_s=0.28}"});
     expect_failure(run_tool(simulate_arguments(replay, folder.path, {"--force"})), 2,
                    {"--force would replace " + program + ", which this run reads"});
     EXPECT_EQ(n_files(folder.path), 3u);
