@@ -115,6 +115,36 @@ namespace swimtwin
         fmt::print(stderr, "swimtwin: warning: {}\n", warning);
     }
 
+    bool names_a_model(const std::string &name)
+    {
+      return std::filesystem::path(name).extension() == ".h5" || find_model(name) != name;
+    }
+
+    bool names_a_problem(const std::string &name)
+    {
+      return std::filesystem::path(name).extension() == ".toml";
+    }
+
+    /// `--data a.csv b.csv MODEL PROBLEM`: what ends the list of data may be what else is needed.
+    void take_back_from_data(CalibrateCommand &command)
+    {
+      std::vector<std::string> &data = command.data;
+      if (command.problem.empty() && data.size() > 1 && names_a_problem(data.back()))
+      {
+        command.problem = data.back();
+        data.pop_back();
+      }
+      if (command.model.empty() && data.size() > 1 && names_a_model(data.back()))
+      {
+        command.model = data.back();
+        data.pop_back();
+      }
+      if (command.model.empty() || command.problem.empty())
+        throw InputError(
+            fmt::format("calibrate: {} is required; say swimtwin calibrate MODEL PROBLEM.toml --data FILE ...",
+                        command.model.empty() ? "the model" : "the problem"));
+    }
+
     void check_and_report(const CalibrateCommand &command)
     {
       const CalibrationInput         input    = read_calibration_input(command);
@@ -167,11 +197,13 @@ namespace swimtwin
   {
     auto  command = std::make_shared<CalibrateCommand>();
     auto *verb = tool.add_subcommand("calibrate", "Fit the swimmer to displacement-frequency data on a reduced model");
-    verb->add_option("model", command->model, "Reduced model (model.h5), or name of a shipped one")->required();
-    verb->add_option("problem", command->problem, "What is free, and within which bounds (TOML)")->required();
-    verb->add_option("--data", command->data, "Observations (CSV, repeatable), instead of those the problem names")
+    verb->add_option("model", command->model, "Reduced model (model.h5), or name of a shipped one")
+        ->option_text("TEXT REQUIRED");
+    verb->add_option("problem", command->problem, "What is free, and within which bounds (TOML)")
+        ->option_text("TEXT REQUIRED");
+    verb->add_option("--data", command->data, "Observations (one or more files), instead of those the problem names")
         ->type_name("FILE")
-        ->allow_extra_args(false);
+        ->expected(1, -1);
     verb->add_option("--threads", command->n_threads, "0: as many as the machine has")
         ->check(CLI::NonNegativeNumber)
         ->take_last();
@@ -184,6 +216,7 @@ namespace swimtwin
     add_output_options(*verb, command->common, OutputFolder::optional);
     command->common.command_line = command_line;
     return [command] {
+      take_back_from_data(*command);
       if (is_speaker())
         (command->check_only ? check_and_report : calibrate_and_report)(*command);
     };

@@ -13,17 +13,6 @@ namespace swimtwin
 {
   namespace
   {
-
-    std::vector<ObservationSet> read_sets(const std::vector<std::filesystem::path> &files)
-    {
-      std::vector<ObservationSet> sets;
-      DataProblems                problems;
-      for (const auto &file : files)
-        problems.attempt([&] { sets.push_back(read_observations(file)); });
-      problems.throw_errors();
-      return sets;
-    }
-
     /// "2.1 to 3.4", or one number if both would be printed alike.
     template <typename Value>
     std::string range_of(const ObservationSet &set, const Value &value)
@@ -84,7 +73,7 @@ namespace swimtwin
       throw InputError(fmt::format("{} names no data = [...] and no --data is given; give at least one CSV of "
                                    "observations.",
                                    command.problem));
-    input.sets = read_sets(files);
+    input.sets = read_observations(files);
     return input;
   }
 

@@ -36,14 +36,19 @@ namespace swimtwin
       return near ? fmt::format("; the nearest name that is shipped is {}", *near) : "";
     }
 
-    /// A file as it is named, or the shipped one of that name.
+    /// A file as it is named, or the shipped one of that name. A name with a folder means that folder; one that may
+    /// mean a file here, but for its ending, is refused.
     fs::path file_or_shipped(const std::string &name, const char *folder, const char *extension)
     {
       std::error_code ignored;
-      const fs::path  shipped = shipped_datasets() / folder / (name + extension);
-      if (fs::exists(name, ignored) && !(fs::is_directory(name, ignored) && fs::exists(shipped, ignored)))
+      const fs::path  shipped = shipped_datasets() / folder / (name + extension), here = name + extension;
+      const bool      is_shipped = fs::exists(shipped, ignored) && !fs::path(name).has_parent_path();
+      if (fs::exists(name, ignored) && !(fs::is_directory(name, ignored) && is_shipped))
         return name;
-      if (fs::exists(shipped, ignored))
+      if (is_shipped && fs::is_regular_file(here, ignored) && !fs::equivalent(here, shipped, ignored))
+        throw InputError(fmt::format("{} is shipped, and {} lies here too; say which is meant, {} or {}.", name,
+                                     here.string(), here.string(), shipped.string()));
+      if (is_shipped)
         return shipped;
       const bool is_plain = fs::path(name).filename() == name && !fs::path(name).has_extension();
       if (const std::string near = is_plain ? hint(name, shipped.parent_path(), extension) : ""; !near.empty())

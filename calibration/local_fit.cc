@@ -51,7 +51,9 @@ namespace swimtwin
       polish(estimate_.unknowns);
       describe();
       const Eigen::VectorXd step = remaining_step();
-      judge(step);
+      judge(step, settled);
+      if (!estimate_.polished && round == most_rounds - 1)
+        judge(step, settled * size_of_residuals());
       if (estimate_.polished)
         return;
       if (estimate_.local->covers(swimmer()))
@@ -64,7 +66,7 @@ namespace swimtwin
   {
     polish(estimate_.unknowns);
     describe(estimate_.local->evaluate(swimmer(), true));
-    judge(remaining_step());
+    judge(remaining_step(), settled);
   }
 
   CalibratedSwimmer LocalFit::swimmer() const
@@ -155,13 +157,21 @@ namespace swimtwin
     }
   }
 
-  /// Polished, if the step that remains is none.
-  void LocalFit::judge(const Eigen::VectorXd &step)
+  /// Polished, if the step that remains is at most `share` of a standard deviation by the stated sigma.
+  void LocalFit::judge(const Eigen::VectorXd &step, const double share)
   {
     const Eigen::VectorXd of_parameters = step.head(input_.map.size());
     const double          in_deviations = (estimate_.information.whitened * of_parameters).norm();
     estimate_.polish_step               = of_parameters.lpNorm<Eigen::Infinity>();
-    estimate_.polished                  = in_deviations <= settled && estimate_.local->covers(swimmer());
+    estimate_.polished                  = in_deviations <= share && estimate_.local->covers(swimmer());
+  }
+
+  /// In sigma, at least 1. An outlier makes residuals, and by them what the table is off by in the place of the
+  /// minimum, that much larger than the stated sigma does.
+  double LocalFit::size_of_residuals() const
+  {
+    const int n_degrees_of_freedom = std::max(1, input_.data.n() - input_.map.size());
+    return std::max(1., std::sqrt(2. * estimate_.misfit / n_degrees_of_freedom));
   }
 
   void LocalFit::clip()

@@ -31,8 +31,9 @@ namespace swimtwin
     void     polish(const Eigen::VectorXd &start);
     void     describe(const Displacements &displacements);
     void     set_kkt_residual();
-    void     judge(const Eigen::VectorXd &step);
+    void     judge(const Eigen::VectorXd &step, double share);
     void     clip();
+    double   size_of_residuals() const;
 
     Eigen::VectorXd remaining_step() const;
     bool            is_held(Eigen::Index j, double slope) const;

@@ -1,7 +1,7 @@
 #include <control/goal_entries.h>
 #include <control/goal_file.h>
-#include <datasets/csv_table.h>
 #include <datasets/error.h>
+#include <datasets/text_decoding.h>
 #include <datasets/toml_table.h>
 
 #include <fmt/format.h>
@@ -82,26 +82,32 @@ namespace swimtwin
                         "coil_2_A_T and coil_current_A.");
     }
 
+    /// All of them, or only those without gradients.
+    std::vector<std::string> methods_with_constraints(const bool gradients)
+    {
+      std::vector<std::string> names;
+      for (const SearchMethod method : all_search_methods())
+        if (takes_constraints(method) && (gradients || !uses_gradients(method)))
+          names.push_back(to_string(method));
+      return names;
+    }
+
     void read_search(const TomlDocument &document, FieldPlanOptions &options)
     {
       TomlTable   table(document, "search");
       std::string method = to_string(options.search.search.method), without = to_string(options.gradient_free);
       int         seed = static_cast<int>(options.seed);
-      table.text("method", method);
+      table.word("method", Need::optional, methods_with_constraints(true), method);
       table.integer("starts", {"", not_negative}, options.n_starts);
       table.integer("max_evaluations", {"", at_least_one}, options.search.search.max_evaluations);
       table.integer("seed", {"", not_negative}, seed);
-      table.text("gradient_free_method", without);
+      table.word("gradient_free_method", Need::optional, methods_with_constraints(false), without);
       table.number("gradient_free_budget", {"", not_negative}, options.gradient_free_budget);
       table.finish();
       options.seed                 = static_cast<unsigned long>(seed);
       options.search.search.seed   = options.seed;
       options.search.search.method = search_method(method);
       options.gradient_free        = search_method(without);
-      if (!takes_constraints(options.search.search.method))
-        document.refuse("search", "method", "takes no constraints; choose slsqp, ccsaq or mma.");
-      if (!takes_constraints(options.gradient_free) || uses_gradients(options.gradient_free))
-        document.refuse("search", "gradient_free_method", "is not possible here; choose cobyla or isres.");
     }
 
     void read_robust(const TomlDocument &document, const std::filesystem::path &folder, SwimmingGoal &goal)
@@ -132,7 +138,7 @@ namespace swimtwin
   GoalFile read_goal(const std::filesystem::path &path, const ReducedModel &model)
   {
     GoalFile file;
-    file.text = read_text_file(path, "the goal");
+    file.text = read_decoded_text(path, "the goal");
     file.goal = goal_of(model);
     const TomlDocument document(file.text, path.string(), {});
     TomlTable          root(document, "");

@@ -1,8 +1,8 @@
 #include <control/goal_entries.h>
 #include <control/steering_limits.h>
 #include <control/target_goal.h>
-#include <datasets/csv_table.h>
 #include <datasets/error.h>
+#include <datasets/text_decoding.h>
 #include <rom/swimmer_run.h>
 
 #include <fmt/format.h>
@@ -111,7 +111,7 @@ namespace swimtwin
     const Scene          scene = parse_scene(model.scene_text, model.scene_name + ".toml");
     const ReducedSwimmer swimmer(model);
     TargetGoal           goal;
-    goal.text = read_text_file(file, "the goal");
+    goal.text = read_decoded_text(file, "the goal");
     const TomlDocument document(goal.text, file.string(), {});
     TomlTable          top(document, "");
     bool               is_target = false;

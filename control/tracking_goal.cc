@@ -1,8 +1,8 @@
 #include <control/goal_entries.h>
 #include <control/steering_limits.h>
 #include <control/tracking_goal.h>
-#include <datasets/csv_table.h>
 #include <datasets/error.h>
+#include <datasets/text_decoding.h>
 #include <datasets/toml_table.h>
 
 #include <fmt/format.h>
@@ -157,7 +157,7 @@ namespace swimtwin
 
   bool is_target_goal(const std::filesystem::path &file)
   {
-    const TomlDocument document(read_text_file(file, "the goal"), file.string(), {});
+    const TomlDocument document(read_decoded_text(file, "the goal"), file.string(), {});
     const toml::node  *kind = document.find("kind");
     return kind && kind->value<std::string>() == "target";
   }
@@ -166,7 +166,7 @@ namespace swimtwin
   {
     const Scene  scene = parse_scene(model.scene_text, model.scene_name + ".toml");
     TrackingGoal goal;
-    goal.text = read_text_file(file, "the goal");
+    goal.text = read_decoded_text(file, "the goal");
     const TomlDocument document(goal.text, file.string(), {});
     TomlTable          top(document, "");
     top.choice("kind", Need::required, tracking_kinds, goal.kind);

@@ -1,7 +1,7 @@
 #include <datasets/calibration_problem.h>
-#include <datasets/csv_table.h>
 #include <datasets/error.h>
 #include <datasets/nearest_name.h>
+#include <datasets/text_decoding.h>
 #include <datasets/toml_table.h>
 
 #include <fmt/format.h>
@@ -194,7 +194,7 @@ namespace swimtwin
       table.integer("starts", {"", at_least_one}, problem.n_starts);
       table.integer("seed", {"", not_negative}, problem.seed);
       table.integer("max_evaluations", {"", at_least_one}, problem.max_evaluations);
-      table.text("method", problem.method);
+      table.word("method", Need::optional, calibration_methods(), problem.method);
       table.flag("allow_untrained", problem.allow_untrained);
       table.finish();
     }
@@ -226,9 +226,17 @@ namespace swimtwin
       const std::string &name = problem.next_parameter;
       if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end())
         document.refuse("next", "parameter",
-                        fmt::format("is not a free parameter; the nearest is {}.", nearest_name(name, names)));
+                        fmt::format("is not a free parameter; the nearest is {} (one of {}).",
+                                    nearest_name(name, names), fmt::join(names, ", ")));
     }
   } // namespace
+
+  const std::vector<std::string> &calibration_methods()
+  {
+    static const std::vector<std::string> names = {"lbfgs",  "mma",   "ccsaq",       "slsqp", "cobyla",
+                                                   "bobyqa", "sbplx", "nelder-mead", "isres"};
+    return names;
+  }
 
   std::string key_of(const FittedQuantity quantity)
   {
@@ -274,6 +282,6 @@ namespace swimtwin
 
   CalibrationProblem read_calibration_problem(const std::filesystem::path &file)
   {
-    return parse_calibration_problem(read_text_file(file, "the problem"), file.string(), file.parent_path());
+    return parse_calibration_problem(read_decoded_text(file, "the problem"), file.string(), file.parent_path());
   }
 } // namespace swimtwin

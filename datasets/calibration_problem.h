@@ -22,6 +22,8 @@ namespace swimtwin
     noise_scale
   };
   /// With its unit, as in the problem file: young_modulus_Pa.
+  /// Names of the searches that may fit: all of optimization/search_method.h.
+  const std::vector<std::string>    &calibration_methods();
   std::string                        key_of(FittedQuantity quantity);
   const std::vector<FittedQuantity> &all_fitted_quantities();
 

@@ -15,7 +15,7 @@ namespace swimtwin
     std::map<double, std::vector<std::size_t>> rows_by_frequency(const CsvTable &table, const Recording *recording,
                                                                  DataProblems &problems)
     {
-      if (recording != nullptr && table.has_column("frequency_Hz"))
+      if (recording != nullptr && find_quantity(table, "frequency_Hz"))
         problems.warning(
             fmt::format("{}: the column frequency_Hz is not used; the [[recording]] says {} Hz for the whole file.",
                         table.where_header(), recording->frequency_Hz));
@@ -31,13 +31,15 @@ namespace swimtwin
     void check_times(const CsvTable &table, const std::vector<std::size_t> &rows, const HeadTrack &track,
                      DataProblems &problems)
     {
-      double latest = track.time_s.front();
+      double     latest = track.time_s.front();
+      CellFaults faults(table, find_quantity(table, "time_s")->index);
       for (std::size_t i = 1; i < rows.size(); ++i)
         if (track.time_s[i] > latest)
           latest = track.time_s[i];
         else
-          problems.error(fmt::format("{}: {} does not come after {} s; sort the rows by time and keep one per instant.",
-                                     table.where(rows[i]), table.quote(rows[i], "time_s"), latest));
+          faults.add(rows[i], fmt::format("does not come after {} s", latest),
+                     "sort the rows by time and keep one per instant");
+      faults.note(problems);
     }
 
     std::vector<double> pick(const std::vector<double> &values, const std::vector<std::size_t> &rows)
@@ -58,8 +60,8 @@ namespace swimtwin
     {
       return {finite_cells(table, "time_s", "s of the camera's clock", problems),
               finite_cells(table, "x_m", "m", problems), finite_cells(table, "y_m", "m", problems),
-              table.has_column("angle_rad") ? finite_cells(table, "angle_rad", "rad", problems)
-                                            : std::vector<double>()};
+              find_quantity(table, "angle_rad") ? finite_cells(table, "angle_rad", "rad", problems)
+                                                : std::vector<double>()};
     }
 
     HeadTrack make_track(const CsvTable &table, const TrackColumns &columns, const std::vector<std::size_t> &rows,
@@ -82,17 +84,20 @@ namespace swimtwin
 
   bool is_track_table(const CsvTable &table)
   {
-    return table.has_column("time_s") || table.has_column("x_m");
+    return find_quantity(table, "time_s") || find_quantity(table, "x_m");
   }
 
   std::vector<HeadTrack> head_tracks(const CsvTable &table, const Recording *recording, const double period_start_s,
                                      DataProblems &problems)
   {
+    if (!has_names(table, {"time_s", "x_m", "y_m"}, problems))
+      return {};
     DataProblems       own;
     const TrackColumns columns = read_columns(table, own);
     const auto         groups  = rows_by_frequency(table, recording, own);
     if (!own.has_errors() && groups.empty())
       own.error(fmt::format("{}: there are no rows; a track needs a row per frame.", table.where_header()));
+    warn_of_conversions(table, {"time_s", "x_m", "y_m", "angle_rad", "frequency_Hz"}, own);
     std::vector<HeadTrack> tracks;
     if (!own.has_errors())
       for (const auto &[frequency_Hz, rows] : groups)

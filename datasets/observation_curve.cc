@@ -12,16 +12,14 @@ namespace swimtwin
 {
   namespace
   {
-    constexpr double same_frequency = 1e-9; // relative
-
-    struct Columns
+    struct CurveColumns
     {
       std::string value, sigma, unit;
     };
 
-    Columns columns_of(const CsvTable &table)
+    CurveColumns columns_of(const CsvTable &table)
     {
-      if (!table.has_column("displacement_m") && table.has_column("mean_speed_m_s"))
+      if (!find_quantity(table, "displacement_m") && find_quantity(table, "mean_speed_m_s"))
         return {"mean_speed_m_s", "sigma_m_s", "m/s"};
       return {"displacement_m", "sigma_m", "m"};
     }
@@ -35,31 +33,45 @@ namespace swimtwin
       return rows;
     }
 
-    void refuse_duplicates(const CsvTable &table, const std::vector<double> &frequency_Hz,
-                           const std::vector<std::size_t> &rows, DataProblems &problems)
+    /// Several measurements at one frequency are data; the same number twice is most likely a row that was copied.
+    void warn_of_copies(const CsvTable &table, const ObservationSet &set, const std::vector<std::size_t> &rows,
+                        DataProblems &problems)
     {
-      for (std::size_t i = 1; i < rows.size(); ++i)
-        if (frequency_Hz[rows[i]] <= frequency_Hz[rows[i - 1]] * (1. + same_frequency))
-          problems.error(
-              fmt::format("{}: {} stands already on line {}; average the two measurements into one row, or keep "
-                          "them in two files.",
-                          table.where(rows[i]), table.quote(rows[i], "frequency_Hz"), table.line(rows[i - 1])));
+      std::vector<std::size_t> lines;
+      for (std::size_t i = 1; i < set.points.size(); ++i)
+        for (std::size_t j = i; j-- > 0 && set.points[j].frequency_Hz == set.points[i].frequency_Hz;)
+          if (set.points[j].displacement_m == set.points[i].displacement_m)
+          {
+            lines.push_back(table.line(rows[i]));
+            break;
+          }
+      if (!lines.empty())
+        problems.warning(
+            fmt::format("{}:{}: frequency and value stand already on a line before{}; a copied row counts as "
+                        "one more measurement: delete it if it is none.",
+                        set.file.string(), lines.front(), and_others(lines)));
     }
 
     void refuse_twin_columns(const CsvTable &table, DataProblems &problems)
     {
       std::set<std::string> seen;
       for (const std::string &name : table.column_names())
-        if (!seen.insert(name).second)
+        if (!name.empty() && !seen.insert(name).second)
           problems.error(fmt::format("{}: there are two columns {}; rename one of them.", table.where_header(), name));
     }
 
-    void keep_extra_columns(const CsvTable &table, const Columns &columns, const std::vector<std::size_t> &rows,
+    void keep_extra_columns(const CsvTable &table, const CurveColumns &columns, const std::vector<std::size_t> &rows,
                             ObservationSet &set)
     {
-      const auto &names = table.column_names();
+      const auto &names   = table.column_names();
+      const auto  is_read = [&](const std::size_t column) {
+        for (const std::string &quantity : {std::string("frequency_Hz"), columns.value, columns.sigma})
+          if (find_quantity(table, quantity)->index == column)
+            return true;
+        return false;
+      };
       for (std::size_t column = 0; column < names.size(); ++column)
-        if (names[column] != "frequency_Hz" && names[column] != columns.value && names[column] != columns.sigma)
+        if (!names[column].empty() && !is_read(column))
           for (const std::size_t row : rows)
             set.extra_columns[names[column]].push_back(table.cells(row)[column]);
     }
@@ -69,7 +81,7 @@ namespace swimtwin
       std::vector<double> frequency_Hz, value, sigma;
     };
 
-    Numbers read_numbers(const CsvTable &table, const Columns &columns, DataProblems &problems)
+    Numbers read_numbers(const CsvTable &table, const CurveColumns &columns, DataProblems &problems)
     {
       return {positive_cells(table, "frequency_Hz", "give the frequency of the field in Hz", problems),
               finite_cells(table, columns.value, columns.unit, problems),
@@ -94,13 +106,14 @@ namespace swimtwin
 
   void read_curve(const CsvTable &table, ObservationSet &set, DataProblems &problems)
   {
-    DataProblems  own;
-    const Columns columns = columns_of(table);
+    const CurveColumns columns = columns_of(table);
+    if (!has_names(table, {"frequency_Hz", columns.value, columns.sigma}, problems))
+      return;
+    DataProblems own;
     refuse_twin_columns(table, own);
     const Numbers                  numbers = read_numbers(table, columns, own);
     const std::vector<std::size_t> rows    = sorted_rows(numbers.frequency_Hz);
-    refuse_duplicates(table, numbers.frequency_Hz, rows, own);
-    if (table.n_rows() < 2)
+    if (table.n_rows() < 2 && table.n_left_out() == 0)
       own.error(fmt::format("{}: {} point(s) are no curve; at least 2 are needed, and more than parameters to fit.",
                             table.where_header(), table.n_rows()));
     problems.append(own);
@@ -114,6 +127,8 @@ namespace swimtwin
                             table.where(row), 0, 0., 0.});
     }
     keep_extra_columns(table, columns, rows, set);
+    warn_of_copies(table, set, rows, problems);
+    warn_of_conversions(table, {"frequency_Hz", columns.value, columns.sigma}, problems);
     warn_of_error_bars(set, problems);
   }
 } // namespace swimtwin

@@ -1,5 +1,9 @@
 #include <datasets/data_problems.h>
+#include <datasets/deeplabcut_table.h>
+#include <datasets/input_file.h>
 #include <datasets/observation_curve.h>
+#include <datasets/observation_files.h>
+#include <datasets/observation_names.h>
 #include <datasets/observation_set.h>
 #include <datasets/observation_sidecar.h>
 #include <datasets/track_observation.h>
@@ -14,11 +18,6 @@ namespace swimtwin
   namespace
   {
     constexpr double centimetre_m = 1e-2; // micro-robots are not longer
-
-    std::filesystem::path with_extension(std::filesystem::path file, const char *extension)
-    {
-      return file.replace_extension(extension);
-    }
 
     /// A table without its rows of wrong length, which are noted as errors.
     CsvTable read_table(const std::filesystem::path &file, DataProblems &problems)
@@ -57,18 +56,21 @@ namespace swimtwin
       const CsvTable table = read_table(recording.file, problems);
       if (is_trackmate_table(table))
         add_tracks(trackmate_track(table, recording, *sidecar.camera, problems), sidecar, set, problems);
+      else if (is_deeplabcut_table(table))
+        add_tracks(deeplabcut_track(table, recording, *sidecar.camera, problems), sidecar, set, problems);
       else
         add_tracks(head_tracks(table, &recording, recording.period_start_s, problems), sidecar, set, problems);
     }
 
-    void read_table_of_set(const std::filesystem::path &csv, const ObservationSidecar &sidecar, ObservationSet &set,
+    void read_table_of_set(const std::filesystem::path &file, const ObservationSidecar &sidecar, ObservationSet &set,
                            DataProblems &problems)
     {
-      const CsvTable table = read_table(csv, problems);
-      if (is_trackmate_table(table))
-        problems.error(fmt::format("{}: this is a table of TrackMate; name it in the sidecar with its frequency: "
+      const CsvTable table = read_table(file, problems);
+      if (is_trackmate_table(table) || is_deeplabcut_table(table))
+        problems.error(fmt::format("{}: this is a table of {}; name it in the sidecar with its frequency: "
                                    "[[recording]] file = \"{}\", frequency_Hz = ...",
-                                   table.where_header(), csv.filename().string()));
+                                   table.where_header(), is_trackmate_table(table) ? "TrackMate" : "DeepLabCut",
+                                   file.filename().string()));
       else if (is_track_table(table))
         add_tracks(head_tracks(table, nullptr, sidecar.camera->period_start_s.value_or(0.), problems), sidecar, set,
                    problems);
@@ -76,21 +78,34 @@ namespace swimtwin
         read_curve(table, set, problems);
     }
 
-    /// Points of tracks by frequency, each frequency once, at least two.
+    bool are_the_same(const Recording &a, const Recording &b)
+    {
+      return a.file.lexically_normal() == b.file.lexically_normal() && a.track_ids == b.track_ids &&
+             a.body_part == b.body_part && a.individual == b.individual && a.period_start_s == b.period_start_s;
+    }
+
+    /// Films of one frequency are replicates; one film twice is not.
+    void refuse_copies(const std::vector<Recording> &recordings, DataProblems &problems)
+    {
+      for (std::size_t i = 0; i < recordings.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+          if (are_the_same(recordings[i], recordings[j]))
+            problems.error(fmt::format("{}: the same track of {} at frequency {} Hz stands already in {}, at {} Hz; "
+                                       "one film is one measurement: "
+                                       "leave one of them out, or tell them apart by track_id or period_start_s.",
+                                       recordings[i].where, recordings[i].file.string(), recordings[i].frequency_Hz,
+                                       recordings[j].where, recordings[j].frequency_Hz));
+    }
+
+    /// Points of tracks by frequency, at least two.
     void order_tracked_points(ObservationSet &set, DataProblems &problems)
     {
       auto &points = set.points;
       std::stable_sort(points.begin(), points.end(),
                        [](const Observation &a, const Observation &b) { return a.frequency_Hz < b.frequency_Hz; });
-      for (std::size_t i = 1; i < points.size(); ++i)
-        if (points[i].frequency_Hz <= points[i - 1].frequency_Hz * (1. + 1e-9))
-          problems.error(
-              fmt::format("{}: frequency {} Hz stands already in {}; keep one track per frequency, or put the "
-                          "other into a set of its own.",
-                          points[i].where, points[i].frequency_Hz, points[i - 1].where));
       if (points.size() < 2 && !problems.has_errors())
-        problems.error(fmt::format("{}: {} point(s) are no curve; at least 2 frequencies are needed.",
-                                   set.file.string(), points.size()));
+        problems.error(fmt::format("{}: {} point(s) are no curve; at least 2 tracks are needed.", set.file.string(),
+                                   points.size()));
     }
 
     void warn_of_sizes(ObservationSet &set, DataProblems &problems)
@@ -99,36 +114,46 @@ namespace swimtwin
         problems.warning(sentence);
     }
 
-    void require_sidecar(const std::filesystem::path &csv, const std::filesystem::path &toml, DataProblems &problems)
+    void note_missing_sidecar(const std::filesystem::path &table, const std::filesystem::path &toml,
+                              DataProblems &problems)
     {
-      if (!std::filesystem::exists(toml))
-        problems.error(fmt::format(
-            "{}: the sidecar {} is missing; write it with source, synthetic, swimmer, measured_by, period and [field] "
-            "bx_T, by_T (docs/file-formats.md, Observations).",
-            csv.string(), toml.string()));
+      problems.error(fmt::format(
+          "{}: the sidecar {} is missing; write it with source, synthetic, swimmer, measured_by, period and [field] "
+          "bx_T, by_T (docs/file-formats.md, Observations).",
+          table.string(), toml.string()));
     }
 
-    ObservationSet read_set(const std::filesystem::path &file, DataProblems &problems)
+    ObservationSet read_set(const std::filesystem::path &named, DataProblems &problems)
     {
       ObservationSet              set;
-      const std::filesystem::path csv = with_extension(file, ".csv"), toml = with_extension(file, ".toml");
-      set.name = file.stem().string();
-      set.file = csv;
-      require_sidecar(csv, toml, problems);
-      ObservationSidecar sidecar;
+      const std::filesystem::path toml = is_sidecar(named) ? named : sidecar_of(named);
+      ObservationSidecar          sidecar;
+      sidecar.file = toml;
       if (std::filesystem::exists(toml))
         sidecar = read_observation_sidecar(toml, problems);
+      else if (!is_sidecar(named) && std::filesystem::exists(named))
+        note_missing_sidecar(named, toml, problems);
+      else
+      {
+        problems.attempt([&] { read_text_file(named, "the observations"); });
+        return set;
+      }
+      const std::filesystem::path table = table_to_read(named, sidecar, problems);
+      set.name                          = named.stem().string();
+      set.file                          = table.empty() ? toml : table;
       describe(sidecar, set);
       const bool has_camera = sidecar.camera.has_value();
       sidecar.camera        = sidecar.camera.value_or(Camera());
-      if (sidecar.recordings.empty())
-        problems.attempt([&] { read_table_of_set(csv, sidecar, set, problems); });
-      for (const Recording &recording : sidecar.recordings)
+      if (!table.empty())
+        problems.attempt([&] { read_table_of_set(table, sidecar, set, problems); });
+      else
+        refuse_copies(sidecar.recordings, problems);
+      for (const Recording &recording : table.empty() ? sidecar.recordings : std::vector<Recording>())
         problems.attempt([&] { read_recording(recording, sidecar, set, problems); });
       if (set.quantity == ObservedQuantity::positions)
         order_tracked_points(set, problems);
-      else if (has_camera)
-        problems.warning(fmt::format("{}: [camera] is not used; {} holds no track.", toml.string(), csv.string()));
+      else if (has_camera && !table.empty())
+        problems.warning(fmt::format("{}: [camera] is not used; {} holds no track.", toml.string(), table.string()));
       warn_of_sizes(set, problems);
       return set;
     }
@@ -141,6 +166,18 @@ namespace swimtwin
     problems.throw_errors();
     set.warnings = problems.texts(Severity::warning);
     return set;
+  }
+
+  std::vector<ObservationSet> read_observations(const std::vector<std::filesystem::path> &files)
+  {
+    std::vector<ObservationSet> sets;
+    DataProblems                problems;
+    for (const auto &file : files)
+      problems.attempt([&] { sets.push_back(read_observations(file)); });
+    refuse_repeated_files(sets, problems);
+    problems.throw_errors();
+    name_apart(sets);
+    return sets;
   }
 
   std::vector<DataProblem> lint_observations(const std::filesystem::path &file)

@@ -35,7 +35,7 @@ namespace swimtwin
 
   struct ObservationSet
   {
-    std::string           name; ///< file name without its extension
+    std::string           name; ///< file name without its extension, and its folder where sets are to be told apart
     std::filesystem::path file;
 
     // Of the sidecar:
@@ -56,10 +56,14 @@ namespace swimtwin
   /// The field of the set's shape whose period is 1 / frequency.
   FieldProgram field_at(const ObservationSet &set, double frequency_Hz);
 
-  /// Read `NAME.csv` and its sidecar `NAME.toml`; either may be named. What the files look like is written in
-  /// docs/file-formats.md, "Observations". Throws InputError that lists every error of the files, one per line, each
-  /// with file, line, column and remedy.
+  /// Read a table and its sidecar: the very table that is named, or the one that belongs to a sidecar that is named
+  /// (datasets/observation_files.h). What the files look like is written in docs/file-formats.md, "Observations".
+  /// Throws InputError that lists every error of the files, one per line, each with file, line, column and remedy.
   ObservationSet read_observations(const std::filesystem::path &file);
+
+  /// Several sets, with names that tell them apart; the errors of all at once. A file that is named twice is one of
+  /// them.
+  std::vector<ObservationSet> read_observations(const std::vector<std::filesystem::path> &files);
 
   /// Every problem of a file and its sidecar, errors first; empty when there is nothing to say. Does not throw for what
   /// is wrong in the files.

@@ -1,17 +1,21 @@
-#include <datasets/csv_table.h>
 #include <datasets/field_period.h>
 #include <datasets/observation_sidecar.h>
+#include <datasets/text_decoding.h>
 #include <datasets/toml_table.h>
+#include <datasets/unit_names.h>
 
 #include <fmt/format.h>
 
 #include <cmath>
+#include <set>
 
 namespace swimtwin
 {
   namespace
   {
     constexpr Range above_freezing{-50., 150., false, false, "lie between -50 and 150"};
+
+    constexpr Range fraction{0., 1., false, false, "lie between 0 and 1"};
 
     void note_all(const TomlTable &table, DataProblems &problems)
     {
@@ -51,6 +55,10 @@ namespace swimtwin
       read_words(table, "swimmer", sidecar.swimmer);
       read_words(table, "measured_by", sidecar.measured_by);
       read_period(document, table, sidecar.period);
+      std::string file;
+      table.text("table", file);
+      if (!file.empty())
+        sidecar.table = sidecar.file.parent_path() / file;
       table.number("body_length_m", {"m", positive}, sidecar.body_length_m);
       for (const char *name : {"fluid", "field", "camera", "recording"})
         table.table(name);
@@ -109,6 +117,15 @@ namespace swimtwin
       note_all(table, problems);
     }
 
+    /// A unit of what `si` measures, or a pixel where that is one.
+    void read_unit(TomlTable &table, const char *key, const char *si, const bool may_be_pixel, std::string &unit)
+    {
+      table.text(key, unit);
+      if (!unit.empty() && !unit_factor(unit, si) && !(may_be_pixel && is_pixel(unit)))
+        table.note(key, may_be_pixel ? "is not a known unit of length; \"um\", \"mm\", \"inch\" and \"pixel\" are some."
+                                     : "is not a known unit of time; \"s\", \"ms\" and \"min\" are some.");
+    }
+
     void read_camera(const TomlDocument &document, ObservationSidecar &sidecar, DataProblems &problems)
     {
       TomlTable table(document, "camera");
@@ -124,6 +141,9 @@ namespace swimtwin
       table.number("position_sigma_m", {"m", positive}, camera.position_sigma_m);
       table.number("pixel_m", {"m", positive}, camera.pixel_m);
       table.number("frame_s", {"s", positive}, camera.frame_s);
+      read_unit(table, "length_unit", "m", true, camera.length_unit);
+      read_unit(table, "time_unit", "s", false, camera.time_unit);
+      table.number("least_likelihood", {"", fraction}, camera.least_likelihood);
       table.number("period_start_s", {"s", any_number}, camera.period_start_s);
       table.integer("skipped_periods", {"", not_negative}, camera.skipped_periods);
       note_all(table, problems);
@@ -136,14 +156,15 @@ namespace swimtwin
       TomlTable   table(document, path);
       Recording   recording;
       std::string file;
-      int         track_id = 0;
       read_words(table, "file", file);
       table.number("frequency_Hz", {"Hz", positive, Need::required}, recording.frequency_Hz);
       recording.period_start_s = sidecar.camera ? sidecar.camera->period_start_s.value_or(0.) : 0.;
       table.number("period_start_s", {"s", any_number}, recording.period_start_s);
-      table.integer("track_id", {"", any_number}, track_id);
-      if (table.has("track_id"))
-        recording.track_id = track_id;
+      table.integers("track_id", {"", any_number}, recording.track_ids);
+      if (std::set<int>(recording.track_ids.begin(), recording.track_ids.end()).size() < recording.track_ids.size())
+        table.note("track_id", "names a track twice; name each piece once.");
+      table.text("body_part", recording.body_part);
+      table.text("individual", recording.individual);
       recording.file  = sidecar.file.parent_path() / file;
       recording.where = document.where(path);
       note_all(table, problems);
@@ -167,7 +188,7 @@ namespace swimtwin
     ObservationSidecar sidecar;
     sidecar.file = file;
     problems.attempt([&] {
-      const TomlDocument document(read_text_file(file, "the sidecar"), file.string(), {});
+      const TomlDocument document(read_decoded_text(file, "the sidecar"), file.string(), {});
       read_top_level(document, sidecar, problems);
       read_fluid(document, sidecar, problems);
       read_field(document, sidecar, problems);

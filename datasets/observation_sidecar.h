@@ -15,11 +15,14 @@ namespace swimtwin
   /// How a tracked head is turned into displacements.
   struct Camera
   {
-    std::optional<std::array<double, 2>> head_first;          ///< direction in the coordinates of the track
-    std::optional<double>                position_sigma_m;    ///< standard deviation of one position
-    std::optional<double>                pixel_m, frame_s;    ///< of a track in pixels and frames
-    std::optional<double>                period_start_s;      ///< when period 1 begins, phase 0 of the field
-    int                                  skipped_periods = 0; ///< before the motion is taken as periodic
+    std::optional<std::array<double, 2>> head_first;       ///< direction in the coordinates of the track
+    std::optional<double>                position_sigma_m; ///< standard deviation of one position
+    std::optional<double>                pixel_m, frame_s; ///< of a track in pixels and frames
+    std::string                          length_unit;      ///< of a table that does not say its own; may be "pixel"
+    std::string                          time_unit;        ///< likewise
+    double                               least_likelihood = 0.6; ///< of a position by DeepLabCut, whose default it is
+    std::optional<double>                period_start_s;         ///< when period 1 begins, phase 0 of the field
+    int                                  skipped_periods = 0;    ///< before the motion is taken as periodic
   };
 
   /// One file of a track.
@@ -28,13 +31,15 @@ namespace swimtwin
     std::filesystem::path file;
     double                frequency_Hz   = 0.;
     double                period_start_s = 0.;
-    std::optional<int>    track_id;
-    std::string           where; ///< of its entry in the sidecar
+    std::vector<int>      track_ids;                       ///< pieces of one track; none: the only one
+    std::string           where;                           ///< of its entry in the sidecar
+    std::string           body_part = {}, individual = {}; ///< of DeepLabCut
   };
 
   struct ObservationSidecar
   {
     std::filesystem::path  file;
+    std::filesystem::path  table; ///< that it belongs to, beside it; empty if it does not say
     std::string            source, swimmer, measured_by;
     bool                   synthetic = false;
     std::optional<int>     period; ///< none: the periodic state

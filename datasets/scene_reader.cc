@@ -5,6 +5,7 @@
 #include <datasets/scene.h>
 #include <datasets/scene_names.h>
 #include <datasets/scene_rules.h>
+#include <datasets/text_decoding.h>
 #include <datasets/toml_table.h>
 
 #include <fmt/format.h>
@@ -337,6 +338,6 @@ namespace swimtwin
 
   Scene read_scene(const std::filesystem::path &file, const std::vector<std::string> &overrides)
   {
-    return parse_scene(read_text_file(file, "the scene"), file.string(), overrides);
+    return parse_scene(read_decoded_text(file, "the scene"), file.string(), overrides);
   }
 } // namespace swimtwin

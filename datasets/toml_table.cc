@@ -1,6 +1,7 @@
 #include <datasets/error.h>
 #include <datasets/nearest_name.h>
 #include <datasets/toml_table.h>
+#include <datasets/unit_names.h>
 
 #include <fmt/format.h>
 
@@ -110,17 +111,45 @@ namespace swimtwin
     }
   }
 
+  std::optional<int> TomlTable::read_integer(const std::string &key, const toml::node &node, const NumberRule &rule)
+  {
+    if (!node.is_integer())
+      return std::nullopt;
+    const double value = *read_number(key, node, rule);
+    if (std::abs(value) <= std::numeric_limits<int>::max())
+      return static_cast<int>(value);
+    note(key, "is out of range; it must be smaller.");
+    return 0;
+  }
+
   void TomlTable::integer(const std::string &key, const NumberRule &rule, int &target)
   {
     const toml::node *node = entry(key, rule.need, "a whole number");
     if (node == nullptr)
       return;
-    if (!node->is_integer())
-      return wrong_type(key, "a whole number");
-    const double value = *read_number(key, *node, rule);
-    if (std::abs(value) > std::numeric_limits<int>::max())
-      return note(key, "is out of range; it must be smaller.");
-    target = static_cast<int>(value);
+    if (const std::optional<int> value = read_integer(key, *node, rule))
+      target = *value;
+    else
+      wrong_type(key, "a whole number");
+  }
+
+  void TomlTable::integers(const std::string &key, const NumberRule &rule, std::vector<int> &target)
+  {
+    const std::string expected = "a whole number, or several as in [0, 3],";
+    const toml::node *node     = entry(key, rule.need, expected);
+    if (node == nullptr)
+      return;
+    target.clear();
+    const toml::array *array = node->as_array();
+    for (std::size_t i = 0; array != nullptr && i < array->size(); ++i)
+      if (const std::optional<int> value = read_integer(key, *array->get(i), rule))
+        target.push_back(*value);
+      else
+        return wrong_type(key, expected);
+    if (const std::optional<int> value = array == nullptr ? read_integer(key, *node, rule) : std::nullopt)
+      target.push_back(*value);
+    if (target.empty())
+      wrong_type(key, expected);
   }
 
   void TomlTable::flag(const std::string &key, bool &target, const Need need)
@@ -148,6 +177,13 @@ namespace swimtwin
     known_.push_back(key);
   }
 
+  void TomlTable::word(const std::string &key, const Need need, const std::vector<std::string> &words,
+                       std::string &target)
+  {
+    if (const auto index = choose(key, need, words))
+      target = words[*index];
+  }
+
   std::optional<std::size_t> TomlTable::choose(const std::string &key, const Need need,
                                                const std::vector<std::string> &words)
   {
@@ -166,6 +202,17 @@ namespace swimtwin
     return std::nullopt;
   }
 
+  /// An entry in another unit is not to be renamed only.
+  std::string TomlTable::advice_for(const std::string &unknown, const toml::node &node) const
+  {
+    for (const std::string &known : known_)
+      if (const std::optional<double> factor = factor_between_names(unknown, known); factor && *factor != 1.)
+        return fmt::format("it is {} in another unit: write {} {}", known, known,
+                           node.is_number() ? fmt::format("= {:.10g}", *factor * *node.value<double>())
+                                            : fmt::format("and multiply by {:.6g}", *factor));
+    return fmt::format("the nearest known name is {}", nearest_name(unknown, known_));
+  }
+
   std::vector<std::string> TomlTable::problems() const
   {
     if (!present())
@@ -176,9 +223,8 @@ namespace swimtwin
       {
         const std::string kind   = node.is_table() ? "table" : "entry";
         const std::string prefix = path_.empty() ? "" : fmt::format("[{}] ", path_);
-        sentences.push_back(fmt::format("{}: {}{} is not a known {}; the nearest known name is {}.",
-                                        document_.where(join_path(path_, word)), prefix, word, kind,
-                                        nearest_name(word, known_)));
+        sentences.push_back(fmt::format("{}: {}{} is not a known {}; {}.", document_.where(join_path(path_, word)),
+                                        prefix, word, kind, advice_for(word, node)));
       }
     sentences.insert(sentences.end(), problems_.begin(), problems_.end());
     return sentences;

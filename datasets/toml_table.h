@@ -54,6 +54,8 @@ namespace swimtwin
     /// An array of two numbers.
     void pair(const std::string &key, const NumberRule &rule, std::array<double, 2> &target);
     void integer(const std::string &key, const NumberRule &rule, int &target);
+    /// A whole number, or an array of at least one.
+    void integers(const std::string &key, const NumberRule &rule, std::vector<int> &target);
     void flag(const std::string &key, bool &target, Need need = Need::optional);
     void text(const std::string &key, std::string &target, Need need = Need::optional);
     /// Declare a sub-table, to be read by a TomlTable of its own.
@@ -69,6 +71,9 @@ namespace swimtwin
         target = names[*index].second;
     }
 
+    /// One of `words`.
+    void word(const std::string &key, Need need, const std::vector<std::string> &words, std::string &target);
+
     /// A problem of our own with an entry: a sentence that follows `key = value`.
     void note(const std::string &key, const std::string &problem);
 
@@ -81,6 +86,8 @@ namespace swimtwin
     const toml::node          *entry(const std::string &key, Need need, const std::string &expected);
     std::optional<double>      read_number(const std::string &key, const toml::node &node, const NumberRule &rule);
     std::optional<std::size_t> choose(const std::string &key, Need need, const std::vector<std::string> &words);
+    std::optional<int>         read_integer(const std::string &key, const toml::node &node, const NumberRule &rule);
+    std::string                advice_for(const std::string &unknown, const toml::node &node) const;
     void                       wrong_type(const std::string &key, const std::string &expected);
 
     const TomlDocument      &document_;

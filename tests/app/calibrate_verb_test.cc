@@ -101,7 +101,7 @@ bootstrap_samples = 60
     expect_refusal("frequency_Hz,displacement_m,sigma_m\n0.2,nan,2e-6\n0.5,1e-4,2e-6\n", "displacement_m");
     expect_refusal("frequency_Hz,displacement_m,sigma_m\n0.2,1e-4,0\n0.5,1e-4,2e-6\n", "sigma_m");
     expect_refusal("frequency_Hz,displacement_m,sigma_m\n0.2,1e-4,-1e-6\n0.5,1e-4,2e-6\n", "sigma_m");
-    expect_refusal("frequency_Hz,displacement_m,sigma_m\n0.2,1e-4,1e-6\n0.2,1e-4,2e-6\n", "frequency_Hz");
+    expect_refusal("frequency_Hz,displacement_m,sigma_m\n0.2,1e-4,1e-6\n-0.2,1e-4,2e-6\n", "frequency_Hz");
   }
 
   TEST_F(CalibrateVerb, RefusesProblemsThatCannotBeFitted)

@@ -1,6 +1,8 @@
 #include <datasets/error.h>
+#include <optimization/search_method.h>
 #include <tests/calibration/synthetic_curve.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace swimtwin
@@ -79,6 +81,58 @@ namespace swimtwin
     const CalibrationResult result = calibrate(reference_model(), quick(), {set}, {.n_frequencies = 3});
     ASSERT_FALSE(result.warnings.empty());
     expect_in(result.warnings.back(), "larger than the stated sigma explain");
+  }
+
+  TEST(Calibrate, FindsTheMinimumBesideAnOutlierAndNamesIt)
+  {
+    ObservationSet set = noisy_curve(exact_curve(8, known_swimmer()), 1);
+    set.points[4].displacement_m *= 10.;
+    set.points[4].where            = "curve.csv:6";
+    const CalibrationResult result = calibrate(reference_model(), quick(), {set}, {.n_frequencies = 3});
+    EXPECT_EQ(result.status, "converged") << result.message;
+    ASSERT_FALSE(result.warnings.empty());
+    const auto named = std::find_if(result.warnings.begin(), result.warnings.end(), [](const std::string &warning) {
+      return warning.starts_with("curve.csv:6: the observation at");
+    });
+    ASSERT_NE(named, result.warnings.end());
+    expect_in(*named, "[loss] kind = \"huber\"");
+    CalibrationProblem robust       = quick();
+    robust.loss                     = LossKind::huber;
+    const CalibrationResult unmoved = calibrate(reference_model(), robust, {set}, {.n_frequencies = 3});
+    EXPECT_NEAR(unmoved.parameters[0].value / (known_swimmer().young_modulus_Pa / known_swimmer().viscosity_Pa_s), 1.,
+                0.1);
+    for (const std::string &warning : unmoved.warnings)
+      EXPECT_EQ(warning.find("the observation at"), std::string::npos) << warning;
+  }
+
+  TEST(Calibrate, TakesReplicatesEvenOfOneFrequency)
+  {
+    ObservationSet       replicates = exact_curve(4, known_swimmer()), single = replicates;
+    const ObservationSet once = replicates;
+    for (int copy = 0; copy < 2; ++copy)
+      replicates.points.insert(replicates.points.end(), once.points.begin(), once.points.end());
+    std::stable_sort(replicates.points.begin(), replicates.points.end(),
+                     [](const Observation &a, const Observation &b) { return a.frequency_Hz < b.frequency_Hz; });
+    const CalibrationResult three = calibrate(reference_model(), quick(), {replicates}, {.n_frequencies = 3});
+    const CalibrationResult one   = calibrate(reference_model(), quick(), {once}, {.n_frequencies = 3});
+    EXPECT_EQ(three.status, "converged") << three.message;
+    EXPECT_NEAR(three.parameters[0].value, one.parameters[0].value, 1e-3 * one.parameters[0].value);
+    EXPECT_NEAR(*three.parameters[0].standard_error, *one.parameters[0].standard_error / std::sqrt(3.),
+                0.02 * *one.parameters[0].standard_error);
+    single.points.assign(3, once.points[1]);
+    EXPECT_EQ(calibrate(reference_model(), quick(), {single}, {.n_frequencies = 3}).status, "undetermined");
+    EXPECT_EQ(calibrate(reference_model(), quick(), {single, once}, {.n_frequencies = 3}).status, "converged");
+  }
+
+  TEST(Calibrate, KnowsEveryMethodOfTheSearches)
+  {
+    std::vector<std::string> names;
+    for (const SearchMethod method : all_search_methods())
+      names.push_back(to_string(method));
+    std::vector<std::string> known = calibration_methods();
+    std::sort(names.begin(), names.end());
+    std::sort(known.begin(), known.end());
+    EXPECT_EQ(known, names);
   }
 
   TEST(Calibrate, SaysWhetherFullOrderRunsMoveTheEstimate)

@@ -78,8 +78,8 @@ starts = 0
 
   TEST_F(Goals, AreRefusedWithLineKeyAndRemedy)
   {
-    expect_refusal(least + "magnitude_mT = 7\n", "goal.toml:5: [limits] magnitude_mT is not a known entry; the nearest "
-                                                 "known name is magnitude_T");
+    expect_refusal(least + "magnitude_mT = 7\n", "goal.toml:5: [limits] magnitude_mT is not a known entry; it is "
+                                                 "magnitude_T in another unit: write magnitude_T = 0.007.");
     expect_refusal("[objectiv]\nmean_speed = 1\n", "the nearest known name is objective");
     expect_refusal("[objective]\nspeed = 1\n[limits]\nmagnitude_T = 7e-3\n", "the nearest known name is mean_speed");
     expect_refusal("[limits]\nmagnitude_T = 7e-3\n", "mean_speed is missing");
@@ -88,8 +88,10 @@ starts = 0
     expect_refusal("[objective]\nmean_speed = 1\n[limits]\nmagnitude_T = -1\n", "must be positive (unit: T)");
     expect_refusal(least + "[field]\nfrequency_low_Hz = 30\n", "leaves no frequency: from 30 to 3 Hz");
     expect_refusal(least + "[field]\nfamily = \"sinus\"\n", "the nearest is \"sinusoid\"");
-    expect_refusal(least + "[search]\nmethod = \"newton\"\n", "There is no search method 'newton'");
-    expect_refusal(least + "[search]\nmethod = \"lbfgs\"\n", "choose slsqp, ccsaq or mma");
+    for (const char *method : {"newton", "lbfgs"}) // the second takes no constraints
+      expect_refusal(least + "[search]\nmethod = \"" + method + "\"\n",
+                     std::string("goal.toml:6: [search] method = \"") + method + "\" is not known");
+    expect_refusal(least + "[search]\ngradient_free_method = \"slsqp\"\n", "(one of \"cobyla\", \"isres\")");
     expect_refusal(least + "[robust]\nmembers = 3\n", "calibration is missing");
     expect_refusal("[objective\n", "goal.toml");
   }

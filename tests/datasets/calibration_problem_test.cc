@@ -94,9 +94,13 @@ highest_frequency_Hz = 2
   TEST(CalibrationProblem, RefusesWithLineAndRemedy)
   {
     expect_refusal("", "nothing is free");
-    expect_refusal("[parameters.young_modulus_kPa]\nbounds = [1, 2]",
-                   "fit.toml:1: [parameters] young_modulus_kPa is not a known table; the nearest known name is "
-                   "young_modulus_Pa");
+    expect_refusal(
+        "[parameters.young_modulus_kPa]\nbounds = [1, 2]",
+        "fit.toml:1: [parameters] young_modulus_kPa is not a known table; it is young_modulus_Pa in another unit: "
+        "write young_modulus_Pa and multiply by 1000.");
+    expect_refusal(
+        ratio + "[fit]\nmethod = \"newton\"",
+        "fit.toml:4: [fit] method = \"newton\" is not known; the nearest is \"lbfgs\" (one of \"lbfgs\", \"mma\"");
     expect_refusal("[parameters.viscosity_Pa_s]\nbound = [1, 2]", "the nearest known name is bounds");
     expect_refusal("[parameters.viscosity_Pa_s]\n", "needs either bounds = [low, high]");
     expect_refusal("[parameters.viscosity_Pa_s]\nvalue = 1\nbounds = [1, 2]", "needs either bounds = [low, high]");

@@ -10,7 +10,8 @@ namespace swimtwin
   namespace
   {
     /// What is said about a curve, with the good sidecar.
-    std::string message_for(const std::string &rows, const std::string &header = "frequency_Hz,displacement_m,sigma_m")
+    std::string message_for_curve(const std::string &rows,
+                                  const std::string &header = "frequency_Hz,displacement_m,sigma_m")
     {
       return ObservationFiles(header + "\n" + rows).message();
     }
@@ -93,57 +94,81 @@ namespace swimtwin
     expect_in(message_for_sidecar("period = 3", "period = 0"), "period = 0 is out of range; it must be at least 1");
   }
 
-  TEST(ObservationLint, RefusesAMissingColumn)
+  TEST(ObservationSet, ConvertsColumnsInOtherUnits)
   {
-    const std::string message = message_for("1,2,3\n2,3,4\n", "frequency_Hz,displacement_mm,sigma_m");
-    expect_in(message,
-              "data.csv:1: the column displacement_m is missing; add it (m), or rename the column that holds it "
-              "(nearest name: displacement_mm).");
+    const ObservationFiles files("Frequency (mHz);Displacement [\u00B5m];sigma_mm\n400;170;3e-3\n800;180;4e-3\n");
+    const ObservationSet   set = read_observations(files.file);
+    EXPECT_DOUBLE_EQ(set.points.at(1).frequency_Hz, 0.8);
+    EXPECT_DOUBLE_EQ(set.points[1].displacement_m, 1.8e-4);
+    EXPECT_DOUBLE_EQ(set.points[1].sigma_m, 4e-6);
+    EXPECT_TRUE(set.extra_columns.empty());
+    expect_in(files.warning(), "data.csv:1: units are converted: frequency_Hz = 0.001 times \"Frequency (mHz)\", ");
+    const ObservationFiles speeds("frequency_rad_s,mean_speed_um_s,sigma_um_s\n3.14159265,100,1\n6.2831853,200,2\n");
+    EXPECT_NEAR(read_observations(speeds.file).points.at(1).displacement_m, 2e-4, 1e-11);
+    EXPECT_NEAR(read_observations(speeds.file).points.at(0).frequency_Hz, 0.5, 1e-8);
   }
 
-  TEST(ObservationLint, KnowsSemicolons)
+  TEST(ObservationLint, RefusesAMissingColumn)
   {
-    expect_in(message_for("1;2;3\n", "frequency_Hz;displacement_m;sigma_m"), "save the table with commas");
+    expect_in(
+        message_for_curve("1,2,3\n2,3,4\n", "frequency_Hz,displacement,sigma_m"),
+        "data.csv:1: the column displacement_m is missing; write the unit of \"displacement\" into its name, as in "
+        "displacement_m; other units are converted.");
+    expect_in(message_for_curve("1,2,3\n2,3,4\n", "frequency_Hz,displacement_px,sigma_m"),
+              "\"displacement_px\" is in px, whose size is not known here: compute the numbers in m and name them "
+              "displacement_m.");
+    expect_in(message_for_curve("1,2,3,4\n2,3,4,5\n", "frequency_Hz,displacement_mm,displacement_um,sigma_m"),
+              "\"displacement_mm\" and \"displacement_um\" may both be it; keep one of them.");
+    expect_in(message_for_curve("1,2,3\n2,3,4\n", "frequency_Hz,way,sigma_m"), "(nearest name: sigma_m)");
+    expect_in(message_for_curve("0.8,1e-4,1e-6\n", "0.4,1e-4,1e-6"),
+              "data.csv:1: the first row holds numbers; put a row of column names");
+    expect_in(message_for_curve("frequency_Hz,displacement_m,sigma_m\n0.8,1e-4,1e-6\n", "run 3,,of May"),
+              "data.csv:1: this row names no column, but line 2 does; delete the lines above that");
   }
 
   TEST(ObservationLint, RefusesWhatIsNotANumber)
   {
     expect_in(
-        message_for("0.4,nan,1e-6\n0.8,1e-4,1e-6\n"),
+        message_for_curve("0.4,nan,1e-6\n0.8,1e-4,1e-6\n"),
         "data.csv:2: displacement_m (column 2) = \"nan\" is not a finite number; correct it, or leave the row out.");
-    expect_in(message_for("0.4,1e-4,inf\n0.8,1e-4,1e-6\n"), "data.csv:2: sigma_m (column 3) = \"inf\" is not a finite");
-    expect_in(message_for("0.4,\"1,5e-4\",1e-6\n0.8,1e-4,1e-6\n"), "= \"1,5e-4\" is not a finite number");
-    expect_in(message_for("0.4,,1e-6\n0.8,1e-4,1e-6\n"), "= \"\" is not a finite number");
+    expect_in(message_for_curve("0.4,1e-4,inf\n0.8,1e-4,1e-6\n"),
+              "data.csv:2: sigma_m (column 3) = \"inf\" is not a finite");
+    expect_in(message_for_curve("0.4,\"1,5e-4\",1e-6\n0.8,1e-4,1e-6\n"), "= \"1,5e-4\" is not a finite number");
+    expect_in(message_for_curve("0.4,,1e-6\n0.8,1e-4,1e-6\n"), "= \"\" is not a finite number");
   }
 
   TEST(ObservationLint, RefusesErrorBarsThatAreNotPositive)
   {
-    expect_in(message_for("0.4,1e-4,0\n0.8,1e-4,1e-6\n"),
+    expect_in(message_for_curve("0.4,1e-4,0\n0.8,1e-4,1e-6\n"),
               "data.csv:2: sigma_m (column 3) = \"0\" is not positive; give "
               "one standard deviation of displacement_m");
-    expect_in(message_for("0.4,1e-4,1e-6\n0.8,1e-4,-1e-6\n"),
+    expect_in(message_for_curve("0.4,1e-4,1e-6\n0.8,1e-4,-1e-6\n"),
               "data.csv:3: sigma_m (column 3) = \"-1e-6\" is not positive");
-    expect_in(message_for("0,1e-4,1e-6\n0.8,1e-4,1e-6\n"), "frequency_Hz (column 1) = \"0\" is not positive");
+    expect_in(message_for_curve("0,1e-4,1e-6\n0.8,1e-4,1e-6\n"), "frequency_Hz (column 1) = \"0\" is not positive");
   }
 
-  TEST(ObservationLint, RefusesTheSameFrequencyTwice)
+  TEST(ObservationSet, ReplicatesAreData)
   {
-    expect_in(message_for("0.8,1e-4,1e-6\n0.4,2e-4,1e-6\n0.80,3e-4,1e-6\n"),
-              "data.csv:4: frequency_Hz (column 1) = \"0.80\" stands already on line 2; average");
+    const ObservationFiles files("frequency_Hz,displacement_m,sigma_m\n0.8,1e-4,1e-6\n0.4,2e-4,1e-6\n0.80,3e-4,1e-6\n");
+    EXPECT_EQ(read_observations(files.file).points.size(), 3u);
+    EXPECT_EQ(files.warning(), "");
+    const ObservationFiles copied(
+        "frequency_Hz,displacement_m,sigma_m\n0.8,1e-4,1e-6\n0.4,2e-4,1e-6\n0.80,1e-4,1e-6\n");
+    expect_in(copied.warning(), "data.csv:4: frequency and value stand already on a line before; a copied row counts");
   }
 
   TEST(ObservationLint, RefusesASinglePoint)
   {
-    expect_in(message_for("0.8,1e-4,1e-6\n"), "1 point(s) are no curve; at least 2 are needed");
-    expect_in(message_for(""), "0 point(s) are no curve");
+    expect_in(message_for_curve("0.8,1e-4,1e-6\n"), "1 point(s) are no curve; at least 2 are needed");
+    expect_in(message_for_curve(""), "0 point(s) are no curve");
   }
 
   TEST(ObservationLint, RefusesTwinColumnsAndRaggedRows)
   {
-    expect_in(message_for("0.8,1e-4,1e-6,3\n0.9,1e-4,1e-6,3\n", "frequency_Hz,displacement_m,sigma_m,sigma_m"),
+    expect_in(message_for_curve("0.8,1e-4,1e-6,3\n0.9,1e-4,1e-6,3\n", "frequency_Hz,displacement_m,sigma_m,sigma_m"),
               "there are two columns sigma_m");
-    expect_in(message_for("0.8,1e-4\n0.9,1e-4,1e-6\n0.7,1e-4,1e-6\n"),
-              "data.csv:2: this row has 2 values but the header names 3 columns.");
+    expect_in(message_for_curve("0.8,1e-4\n0.9,1e-4,1e-6\n0.7,1e-4,1e-6\n"),
+              "data.csv:2: this row has 2 values but the header names 3 columns; give one value per column.");
   }
 
   TEST(ObservationLint, SaysEverythingAtOnce)
@@ -151,12 +176,13 @@ namespace swimtwin
     const ObservationFiles files("frequency_Hz,displacement_m,sigma_m\n0.4,nan,-1\n0.8,1e-4\n0.9,1e-4,0\n",
                                  replaced(example_sidecar, "swimmer", "swimer"));
     const auto             problems = lint_observations(files.file);
-    EXPECT_EQ(problems.size(), 6u); // unknown swimer, missing swimmer, ragged row, nan, -1, 0
+    EXPECT_EQ(problems.size(), 5u); // unknown swimer, missing swimmer, ragged row, nan, sigma on two lines
     const std::string message = files.message();
-    EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 5);
+    EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 4);
     for (const char *part :
          {"data.toml:3: swimer is not a known entry; the nearest known name is swimmer", "swimmer is missing",
-          "data.csv:2: displacement_m", "data.csv:2: sigma_m", "data.csv:3: this row", "data.csv:4: sigma_m"})
+          "data.csv:2: displacement_m",
+          "data.csv:2: sigma_m (column 3) = \"-1\" is not positive (2 rows: lines 2, 4); give", "data.csv:3: this row"})
       expect_in(message, part);
   }
 

@@ -232,8 +232,9 @@ namespace swimtwin
     expect_in(message(header + "0,0,0,1\n1,0,0,1\n0.5,0,0,1\n1,0,0,1\n2,nan,0,1\n"),
               "data.csv:6: x_m (column 2) = \"nan\" is not a finite number");
     const std::string unordered = message(header + "0,0,0,1\n1,0,0,1\n0.5,0,0,1\n1,0,0,1\n");
-    expect_in(unordered, "data.csv:4: time_s (column 1) = \"0.5\" does not come after 1 s; sort the rows by time");
-    expect_in(unordered, "data.csv:5: time_s (column 1) = \"1\" does not come after");
+    expect_in(unordered,
+              "data.csv:4: time_s (column 1) = \"0.5\" does not come after 1 s (2 rows: lines 4, 5); sort the "
+              "rows by time");
     expect_in(message(header + "0,0,0,1\n1,0,0,1\n"), "2 rows at 1 Hz are not a track; at least 4 are needed");
     expect_in(message(header), "there are no rows; a track needs a row per frame");
   }
@@ -259,18 +260,40 @@ namespace swimtwin
     const TemporaryFolder folder;
     const auto      file = folder.write("a.csv", "time_s,x_m,y_m,frequency_Hz\n" + track_csv(swimming(50., 6.), true));
     DataProblems    problems;
-    const Recording recording{file, 0.7, 0., std::nullopt, ""};
+    const Recording recording{file, 0.7, 0., {}, ""};
     const auto      tracks = head_tracks(CsvTable::read(file), &recording, 0., problems);
     EXPECT_EQ(tracks.at(0).frequency_Hz, 0.7);
     expect_in(problems.all().at(0).text, "the column frequency_Hz is not used; the [[recording]] says 0.7 Hz");
   }
 
-  TEST(TrackFile, RefusesOneFrequencyTwice)
+  TEST(TrackFile, TwoFilmsOfOneFrequencyAreReplicatesAndOneFilmTwiceIsNot)
   {
-    ObservationFiles files("", track_sidecar +
-                                   "position_sigma_m = 1e-6\n[[recording]]\nfile = \"a.csv\"\nfrequency_Hz = 0.5\n"
-                                   "[[recording]]\nfile = \"a.csv\"\nfrequency_Hz = 0.5\n");
-    files.folder.write("a.csv", "time_s,x_m,y_m\n" + track_csv(swimming(50., 6.), false));
-    expect_in(files.message(), "frequency 0.5 Hz stands already in");
+    const std::string one          = "[[recording]]\nfile = \"a.csv\"\nfrequency_Hz = 0.5\n";
+    const auto        message_with = [&](const std::string &other) {
+      ObservationFiles files("", track_sidecar + "position_sigma_m = 1e-6\n" + one + other);
+      for (const char *name : {"a.csv", "b.csv"})
+        files.folder.write(name, "time_s,x_m,y_m\n" + track_csv(swimming(50., 6.), false));
+      const auto problems = lint_observations(files.sidecar);
+      return problems.empty() ? "" : problems.front().text;
+    };
+    EXPECT_EQ(message_with("[[recording]]\nfile = \"b.csv\"\nfrequency_Hz = 0.5\n"), "");
+    EXPECT_EQ(message_with(one + "period_start_s = 2\n"), "");
+    expect_in(message_with(one), "at frequency 0.5 Hz stands already in");
+    expect_in(message_with("[[recording]]\nfile = \"./a.csv\"\nfrequency_Hz = 1\n"),
+              "at frequency 1 Hz stands already in");
+  }
+
+  TEST(TrackFile, ConvertsOtherUnits)
+  {
+    const TemporaryFolder folder;
+    const auto            file =
+        folder.write("a.csv", "time_ms;x_um;y (mm);angle_deg\n0;1;2;90\n500;2;2;90\n1000;3;2;90\n1500;4;2;90\n");
+    DataProblems    problems;
+    const Recording recording{file, 0.7, 0., {}, ""};
+    const auto      tracks = head_tracks(CsvTable::read(file), &recording, 0., problems);
+    EXPECT_DOUBLE_EQ(tracks.at(0).time_s[1], 0.5);
+    EXPECT_DOUBLE_EQ(tracks[0].x_m[1], 2e-6);
+    EXPECT_DOUBLE_EQ(tracks[0].y_m[1], 2e-3);
+    EXPECT_DOUBLE_EQ(tracks[0].angle_rad[1], pi / 2.);
   }
 } // namespace swimtwin
