@@ -2,6 +2,7 @@
 
 #include <fom/algebra/cpu_time.h>
 #include <fom/algebra/petsc_error.h>
+#include <fom/algebra/solver_memory.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,17 +20,49 @@ namespace swimtwin
       check_petsc(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS), "chose MUMPS");
     }
 
-    /// Of the upper triangle alone. MUMPS orders by the pattern (ICNTL(12) = 1), not by the first values it sees: a
-    /// resumed run sees others, and repeats the arithmetic all the same.
-    void use_symmetric_factors(const KSP ksp)
+    PetscInt sum_over_ranks(PetscInt value, const MPI_Comm communicator)
     {
-      use_factors(ksp, PCCHOLESKY);
+      MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPIU_INT, MPI_SUM, communicator);
+      return value;
+    }
+
+    /// Before factors are made: MUMPS's own matrix, for settings.
+    Mat factors_to_be(const KSP ksp)
+    {
       PC  pc;
       Mat factors;
       check_petsc(KSPGetPC(ksp, &pc), "made a solver");
       check_petsc(PCFactorSetUpMatSolverType(pc), "made a solver");
       check_petsc(PCFactorGetMatrix(pc, &factors), "made a solver");
-      check_petsc(MatMumpsSetIcntl(factors, 12, 1), "set up MUMPS");
+      return factors;
+    }
+
+    /// Why MUMPS failed: its INFOG(1).
+    PetscInt failure_of_mumps(const KSP ksp)
+    {
+      PetscInt code;
+      check_petsc(MatMumpsGetInfog(factors_to_be(ksp), 1, &code), "factorised");
+      return code;
+    }
+
+    /// PETSc does not call MUMPS again after a failure: with new factors, of the same kind, that may take more
+    /// workspace.
+    void start_factors_anew(const KSP ksp, const Mat matrix, const PetscInt extra_percent)
+    {
+      PetscInt ordering; // chosen by hand for symmetric factors
+      check_petsc(MatMumpsGetIcntl(factors_to_be(ksp), 12, &ordering), "set up MUMPS");
+      check_petsc(KSPReset(ksp), "dropped failed factors");
+      check_petsc(KSPSetOperators(ksp, matrix, matrix), "set up a solver");
+      check_petsc(MatMumpsSetIcntl(factors_to_be(ksp), 12, ordering), "set up MUMPS");
+      check_petsc(MatMumpsSetIcntl(factors_to_be(ksp), 14, extra_percent), "set up MUMPS");
+    }
+
+    /// Of the upper triangle alone. MUMPS orders by the pattern (ICNTL(12) = 1), not by the first values it sees: a
+    /// resumed run sees others, and repeats the arithmetic all the same.
+    void use_symmetric_factors(const KSP ksp)
+    {
+      use_factors(ksp, PCCHOLESKY);
+      check_petsc(MatMumpsSetIcntl(factors_to_be(ksp), 12, 1), "set up MUMPS");
     }
   } // namespace
 
@@ -61,6 +94,7 @@ namespace swimtwin
   {
     const ScopedCpuTime time(counts_.assembly_cpu_s);
     clear();
+    require_memory_for_unknowns(sum_over_ranks(last_row - first_row, communicator_), communicator_);
     first_row_ = first_row;
     last_row_  = last_row;
     check_petsc(MatCreate(communicator_, &matrix_), "made a matrix");
@@ -109,6 +143,34 @@ namespace swimtwin
     check_petsc(VecAssemblyEnd(rhs_), "filled a vector");
   }
 
+  bool LinearSystem::set_up_factors()
+  {
+    check_petsc(KSPSetUp(ksp_), "factorised");
+    PC             pc;
+    PCFailedReason failure;
+    check_petsc(KSPGetPC(ksp_, &pc), "factorised");
+    check_petsc(PCGetFailedReason(pc, &failure), "factorised");
+    return failure == PC_NOERROR;
+  }
+
+  bool LinearSystem::set_up_factors_in_larger_workspace()
+  {
+    // MUMPS sizes its workspace before it sees which pivots it must put off: -8 and -9 say that it was too small. Its
+    // analysis (-5, -7) and its factors (-13) may find no memory at all.
+    for (const PetscInt extra_percent : {100, 400})
+    {
+      const PetscInt code = failure_of_mumps(ksp_);
+      if (code == -5 || code == -7 || code == -13)
+        throw OutOfMemory("factorised");
+      if (code != -8 && code != -9)
+        return false;
+      start_factors_anew(ksp_, matrix_, extra_percent);
+      if (set_up_factors())
+        return true;
+    }
+    return false;
+  }
+
   bool LinearSystem::factorize()
   {
     const ScopedCpuTime time(counts_.factorization_cpu_s);
@@ -116,12 +178,7 @@ namespace swimtwin
     check_petsc(KSPSetReusePreconditioner(ksp_, PETSC_FALSE), "set up a solver");
     // Tell the preconditioner that the values changed, then factorise here so that its time is counted here.
     check_petsc(KSPSetOperators(ksp_, matrix_, matrix_), "set up a solver");
-    check_petsc(KSPSetUp(ksp_), "factorised");
-    PC             pc;
-    PCFailedReason failure;
-    check_petsc(KSPGetPC(ksp_, &pc), "factorised");
-    check_petsc(PCGetFailedReason(pc, &failure), "factorised");
-    has_factors_         = failure == PC_NOERROR;
+    has_factors_         = set_up_factors() || set_up_factors_in_larger_workspace();
     factors_are_old_     = !has_factors_;
     solves_with_factors_ = 0;
     effort_with_factors_ = options_.factorization_effort;

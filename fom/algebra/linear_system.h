@@ -69,6 +69,8 @@ namespace swimtwin
     void clear();
     void note_effort(int iterations);
     bool factorize();
+    bool set_up_factors();
+    bool set_up_factors_in_larger_workspace();
     bool iterate_with_old_factors(const std::vector<double> &guess);
     /// With factors of the matrix as it is, from nothing.
     bool refine();

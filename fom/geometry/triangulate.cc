@@ -5,8 +5,11 @@
 #include <deal.II/base/mpi.h>
 #include <gmsh.h>
 
+#include <clocale>
 #include <cstdlib>
 #include <numeric>
+#include <optional>
+#include <string>
 #include <tuple>
 #include <type_traits>
 #include <unordered_map>
@@ -17,6 +20,28 @@ namespace swimtwin
 
   namespace
   {
+    /// FLTK, which gmsh asks for its taste in tooltips, writes to the home folder of whoever has one.
+    class WithoutHome
+    {
+    public:
+      WithoutHome()
+      {
+        if (const char *home = std::getenv("HOME"))
+          home_ = home;
+        ::unsetenv("HOME");
+      }
+      WithoutHome(const WithoutHome &)            = delete;
+      WithoutHome &operator=(const WithoutHome &) = delete;
+      ~WithoutHome()
+      {
+        if (home_)
+          ::setenv("HOME", home_->c_str(), 1);
+      }
+
+    private:
+      std::optional<std::string> home_;
+    };
+
     /// gmsh is a global machine: started at the first mesh, stopped with the process.
     class GmshSession
     {
@@ -26,7 +51,9 @@ namespace swimtwin
     private:
       GmshSession()
       {
-        gmsh::initialize();
+        const WithoutHome nobody;
+        gmsh::initialize(0, nullptr, false); // without the settings that somebody keeps at home
+        std::setlocale(LC_ALL, "C");         // gmsh takes the language of the user
         gmsh::option::setNumber("General.Terminal", 0);
         gmsh::option::setNumber("Mesh.Algorithm", 6); // frontal Delaunay: the best-shaped triangles
         gmsh::option::setNumber("Mesh.MeshSizeExtendFromBoundary", 0);

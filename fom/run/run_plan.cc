@@ -1,6 +1,7 @@
 #include <fom/run/run_plan.h>
 
 #include <datasets/mirror_plane.h>
+#include <fom/algebra/solver_memory.h>
 #include <fom/body/mesh_around.h>
 #include <fom/step/full_order_model.h>
 
@@ -20,7 +21,7 @@ namespace swimtwin
     }
     double memory_MB(const double n_unknowns)
     {
-      return 195. + 0.004 * n_unknowns;
+      return process_memory_MB + memory_per_unknown_MB * n_unknowns;
     }
     constexpr double iterations_per_step = 1.5;
     constexpr double n_unknowns_measured = 210e3; ///< docs/stress.md

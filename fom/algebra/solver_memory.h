@@ -1,0 +1,16 @@
+// Memory of the full-order model, as its factorisations need it.
+#pragma once
+
+#include <petscsys.h>
+
+#include <mpi.h>
+
+namespace swimtwin
+{
+  /// One process, 2D, MUMPS: resident memory against unknowns of the coupled system, measured from 5,000 to 60,000.
+  constexpr double process_memory_MB = 195., memory_per_unknown_MB = 0.004;
+
+  /// Before a system larger than any before is laid out and factorised. Throws ComputationError, on all ranks, if one
+  /// of them may not take the memory. Collective.
+  void require_memory_for_unknowns(PetscInt n_unknowns, MPI_Comm communicator);
+} // namespace swimtwin
