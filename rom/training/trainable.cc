@@ -1,7 +1,7 @@
-#include <rom/training/training.h>
+#include <rom/training/training_options.h>
 
 #include <datasets/error.h>
-#include <rom/training/training_runs.h>
+#include <rom/training/run_parameters.h>
 
 #include <fmt/format.h>
 

@@ -4,6 +4,7 @@
 #include <datasets/reduced_model.h>
 #include <datasets/scene.h>
 #include <datasets/snapshot_set.h>
+#include <rom/training/run_parameters.h>
 
 #include <mpi.h>
 
@@ -14,13 +15,7 @@
 
 namespace swimtwin
 {
-  struct RunParameters
-  {
-    double young_modulus_Pa = 0., viscosity_Pa_s = 0., magnetization_A_m = 0., frequency_Hz = 0., bx_T = 0., by_T = 0.;
-  };
-
-  /// A scene's own parameters, and the scene with others. The field must be the reference sinusoid.
-  RunParameters parameters_of(const Scene &scene);
+  /// A scene with other parameters.
   Scene with_parameters(const Scene &scene, const RunParameters &parameters, const std::vector<std::string> &overrides);
 
   /// Soft, middling and stiff tails at the lowest, a middling and the highest frequency; the soft ones in the strongest

@@ -1,0 +1,39 @@
+// What a training is asked for, and which scenes can be trained: known before any of it runs.
+#pragma once
+
+#include <datasets/reduced_model.h>
+#include <datasets/scene.h>
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace swimtwin
+{
+  enum class BasisChoice { pod, elastic };
+
+  struct TrainingOptions
+  {
+    std::filesystem::path              folder; ///< exists; nothing is written elsewhere
+    std::string                        command_line;
+    TrainedRange                       range;
+    BasisChoice                        basis         = BasisChoice::pod;
+    int                                n_coordinates = 4, n_followers = 8;
+    int                                n_samples        = 1200; ///< of the resistance
+    int                                n_held_out       = 4;    ///< full-order runs to compare with
+    int                                steps_per_period = 60;   ///< of the runs that snapshots are taken from
+    double                             shape_margin     = 1.15; ///< region that is sampled over the largest shape seen
+    std::vector<std::filesystem::path> snapshots;               ///< more files of the same swimmer
+    /// On every rank: work done and in all, of a stage of the training.
+    std::function<void(const std::string &stage, int done, int total)> on_progress;
+  };
+
+  /// Range around a scene's own values: stiffness from half to four times, frequency from an eighth to four times,
+  /// magnetization from half to twice. Throws what require_trainable does.
+  TrainedRange default_range(const Scene &scene);
+
+  /// Throws InputError for a scene that the reduced swimmer cannot be: no tail, no fluid, a fixed head, gravity, walls
+  /// that move, another law than St Venant-Kirchhoff, a linear tail, another field than the sinusoid.
+  void require_trainable(const Scene &scene);
+} // namespace swimtwin
