@@ -12,6 +12,7 @@
 #include <calibration/calibrate.h>
 #include <calibration/fitted_scene.h>
 #include <datasets/clocks.h>
+#include <datasets/console.h>
 #include <datasets/csv_table.h>
 #include <datasets/error.h>
 #include <datasets/provenance.h>
@@ -112,7 +113,7 @@ namespace swimtwin
     void print_warnings(const std::vector<std::string> &warnings)
     {
       for (const std::string &warning : warnings)
-        fmt::print(stderr, "swimtwin: warning: {}\n", warning);
+        warn(warning);
     }
 
     bool names_a_model(const std::string &name)
@@ -151,7 +152,7 @@ namespace swimtwin
       const std::vector<std::string> warnings = check_before_fit(input.model, input.problem, input.sets);
       print_warnings(warnings);
       if (!command.common.quiet)
-        fmt::print("{}  nothing forbids a fit; warnings: {}\n", summary(input), warnings.size());
+        say("{}  nothing forbids a fit; warnings: {}\n", summary(input), warnings.size());
     }
 
     void calibrate_in_folder(const CalibrateCommand &command, const CalibrationInput &input)
@@ -169,8 +170,8 @@ namespace swimtwin
       draw_and_write_page(command, result);
       print_warnings(result.warnings);
       if (!common.quiet)
-        fmt::print("{}  fit in {:.3g} s, uncertainty in {:.3g} s, {} runs of the reduced swimmer\n  results in {}\n",
-                   story(result), result.fit_time_s, result.uncertainty_time_s, result.n_runs, common.output.string());
+        say("{}  fit in {:.3g} s, uncertainty in {:.3g} s, {} runs of the reduced swimmer\n  results in {}\n",
+            story(result), result.fit_time_s, result.uncertainty_time_s, result.n_runs, common.output.string());
       if (result.status == "stalled")
         throw ComputationError(fmt::format("the fit did not converge: {}; see {}", result.message,
                                            (common.output / calibration_result_name).string()));
@@ -179,13 +180,13 @@ namespace swimtwin
 
   void calibrate_and_report(const CalibrateCommand &command)
   {
-    if (command.n_checks > 0)
-      require_full_order_model("--verify");
     if (command.common.output.empty())
       throw InputError(
           "--output is required: name a folder for the results, or say --check to look at problem and data "
           "without a fit.");
-    const CalibrationInput             input = read_calibration_input(command);
+    const CalibrationInput input = read_calibration_input(command);
+    if (command.n_checks > 0)
+      require_full_order_model("--verify", RanksAtWork::this_one);
     std::vector<std::filesystem::path> files{find_model(command.model), command.problem};
     for (const ObservationSet &set : input.sets)
       files.insert(files.end(), {set.file, set.field.file});

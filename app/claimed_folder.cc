@@ -3,11 +3,11 @@
 #include <app/ranks.h>
 #include <app/shipped_files.h>
 #include <app/written_files.h>
+#include <datasets/console.h>
 #include <datasets/error.h>
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <optional>
 
 namespace swimtwin
@@ -18,7 +18,7 @@ namespace swimtwin
     {
       claim.emplace(request, all_written_files());
       if (!claim->doubt().empty())
-        fmt::print(stderr, "swimtwin: warning: {}: {}\n", request.folder.string(), claim->doubt());
+        warn(fmt::format("{}: {}", request.folder.string(), claim->doubt()));
     }
 
     std::string with_fate_of_earlier(std::string message, std::optional<OutputClaim> &claim)

@@ -1,10 +1,12 @@
 // Verb demo: what the tool does, in a few minutes.
 #include <app/calibrate.h>
 #include <app/claimed_folder.h>
+#include <app/full_order/full_order_build.h>
 #include <app/optimize.h>
 #include <app/shipped_files.h>
 #include <app/simulate.h>
 #include <app/written_files.h>
+#include <datasets/console.h>
 #include <datasets/csv_table.h>
 #include <reports/page/draw_pictures.h>
 #include <reports/sweep/frequency_picture.h>
@@ -15,7 +17,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <memory>
 
 namespace swimtwin
@@ -62,12 +63,11 @@ namespace swimtwin
           common.command_line);
       if (common.quiet)
         return;
-      fmt::print(
-          "\nThe reduced swimmer, trained once, repeats such a run in milliseconds: {} runs, of three stiffnesses at "
+      say("\nThe reduced swimmer, trained once, repeats such a run in milliseconds: {} runs, of three stiffnesses at "
           "60 frequencies, in {:.2g} s.\n{}",
           results.size(), wall_time_s, model_card(model));
       for (const auto &picture : pictures)
-        fmt::print("  picture {}\n", picture.string());
+        say("  picture {}\n", picture.string());
     }
 
     CommonOptions in_folder(const CommonOptions &common, const char *name)
@@ -82,8 +82,7 @@ namespace swimtwin
     void fit(const CommonOptions &common)
     {
       if (!common.quiet)
-        fmt::print(
-            "\nA fit to twelve noisy displacements (synthetic, made by the full-order model with E/mu = 52632 1/s "
+        say("\nA fit to twelve noisy displacements (synthetic, made by the full-order model with E/mu = 52632 1/s "
             "and M/mu = 131579 A/(m Pa s)):\n");
       CalibrateCommand command;
       command.common  = in_folder(common, "fit");
@@ -97,8 +96,7 @@ namespace swimtwin
     void plan_and_replay(const CommonOptions &common)
     {
       if (is_speaker() && !common.quiet)
-        fmt::print(
-            "\nThe field that swims fastest, no stronger than the study's, and its proof on the full-order model:\n");
+        say("\nThe field that swims fastest, no stronger than the study's, and its proof on the full-order model:\n");
       OptimizeCommand command;
       command.common                  = in_folder(common, "fastest-field");
       command.model                   = "reference-2d";
@@ -112,8 +110,7 @@ namespace swimtwin
     void show(const Scene &scene, const CommonOptions &common, const Begun &begun)
     {
       if (is_speaker() && !common.quiet)
-        fmt::print(
-            "The reference study's elastic magneto-swimmer (scene {}): a rigid magnetic head of {} x {} mm pulls a\n"
+        say("The reference study's elastic magneto-swimmer (scene {}): a rigid magnetic head of {} x {} mm pulls a\n"
             "tapered elastic tail of {} mm through glycerol, driven at {:.2g} Hz.\n",
             scene.name, 1e3 * scene.head.size_m[0], 1e3 * scene.head.size_m[1], 1e3 * scene.tail->length_m,
             1. / scene.time.period_s);
@@ -140,6 +137,7 @@ namespace swimtwin
     common->command_line = command_line;
     return [common] {
       const Scene scene = load_scene(*common);
+      require_full_order_model("demo", RanksAtWork::all);
       work_in_folder_together(output_request(*common, written_by::demo(), {}),
                               [&](const Begun &begun) { show(scene, *common, begun); });
     };

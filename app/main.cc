@@ -1,27 +1,15 @@
-// The whole tool, on any number of ranks.
+// The tool. It reads the command line and its input and does what needs no finite elements; the rest goes on in the
+// program with the full-order model.
+#include <app/full_order/full_order_program.h>
+#include <app/library_environment.h>
+#include <app/standard_streams.h>
 #include <app/tool.h>
-
-#include <deal.II/base/mpi.h>
-#include <petscsys.h>
 
 int main(int argc, char **argv)
 {
   using namespace swimtwin;
-  // PETSc must not read our options or print stack traces of its own: its errors come back as codes.
-  int                                            petsc_argc = 1;
-  char                                         **petsc_argv = argv;
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(petsc_argc, petsc_argv, 1);
-  PetscPushErrorHandler(PetscReturnErrorHandler, nullptr);
-  return run_tool(argc, argv,
-                  {{"plan", add_plan},
-                   {"simulate", add_simulate},
-                   {"resistance", add_resistance},
-                   {"train", add_train},
-                   {"sweep", add_sweep},
-                   {"reconstruct", add_reconstruct},
-                   {"calibrate", add_calibrate},
-                   {"optimize", add_optimize},
-                   {"track", add_track},
-                   {"report", add_report},
-                   {"demo", add_demo}});
+  settle_standard_streams();
+  quiet_library_environment();
+  keep_command_line(argv);
+  return run_tool(argc, argv, every_verb());
 }

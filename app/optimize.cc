@@ -12,6 +12,7 @@
 #include <control/goal_file.h>
 #include <control/gradient_check.h>
 #include <control/measured_field.h>
+#include <datasets/console.h>
 #include <datasets/error.h>
 #include <datasets/field_program_writer.h>
 #include <datasets/provenance.h>
@@ -26,7 +27,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdio>
 #include <memory>
 
 namespace swimtwin
@@ -62,9 +62,9 @@ namespace swimtwin
 
     void print_checks(const std::vector<GradientCheck> &checks)
     {
-      fmt::print("  derivative of            largest, per scale   off by (relative)\n");
+      say("  derivative of            largest, per scale   off by (relative)\n");
       for (const GradientCheck &check : checks)
-        fmt::print("  {:<32} {:>11.4g} {:>19.1e}\n", check.name, check.size, check.difference);
+        say("  {:<32} {:>11.4g} {:>19.1e}\n", check.name, check.size, check.difference);
     }
 
     /// At a field between the reference sinusoid and none of its symmetries.
@@ -145,7 +145,7 @@ namespace swimtwin
       const auto &[model, scene, file, warnings] = input;
       file.options.search.n_threads              = command.n_threads;
       if (is_speaker() && !command.common.quiet)
-        file.options.on_progress = [](const std::string &what) { fmt::print("  searching: {}\n", what); };
+        file.options.on_progress = [](const std::string &what) { say("  searching: {}\n", what); };
       PlanResult plan = plan_field(model, file.goal, reference_drive(scene), file.options, members_of(file.goal));
       plan.warnings.insert(plan.warnings.begin(), warnings.begin(), warnings.end());
       plan.model_file        = find_model(command.model).string();
@@ -178,11 +178,10 @@ namespace swimtwin
     void conclude(const OptimizeCommand &command, const PlanResult &plan)
     {
       for (const std::string &warning : plan.warnings)
-        fmt::print(stderr, "swimtwin: warning: {}\n", warning);
+        warn(warning);
       if (!command.common.quiet)
-        fmt::print("{}{}  gain {:.3g} over the tuned sinusoid, found in {:.3g} s\n  {}\n  results in {}\n",
-                   field_table(plan), trade_off_text(plan), plan.gain(), plan.search_time_s, plan.confirmation(),
-                   command.common.output.string());
+        say("{}{}  gain {:.3g} over the tuned sinusoid, found in {:.3g} s\n  {}\n  results in {}\n", field_table(plan),
+            trade_off_text(plan), plan.gain(), plan.search_time_s, plan.confirmation(), command.common.output.string());
       if (!is_usable(plan))
         throw ComputationError(fmt::format("no field was found ({}): {}", plan.status, plan.message));
     }
@@ -192,7 +191,7 @@ namespace swimtwin
       const CommonOptions &common = command.common;
       const ReducedModel  &model  = input.model;
       if (is_speaker() && !common.quiet)
-        fmt::print("{}", model_card(model));
+        say_text(model_card(model));
       PlanResult plan = make_plan(command, input);
       if (command.with_replay && is_usable(plan) && std::isfinite(plan.gain()))
         plan.replay = replay_on_full_order_model(model, plan, common, command.replay);
@@ -208,8 +207,6 @@ namespace swimtwin
 
   void optimize_and_report(const OptimizeCommand &command)
   {
-    if (command.with_replay)
-      require_full_order_model("--replay");
     const ReducedModel model = read_reduced_model(find_model(command.model));
     const Scene        scene = parse_scene(model.scene_text, model.scene_name + ".toml");
     GoalFile           file  = read_goal(command.goal, model);
@@ -221,6 +218,8 @@ namespace swimtwin
     import_program(file, warnings);
     if (!command.trade_off.empty())
       file.options.trade_off = parse_values("--trade-off", command.trade_off, ValueRule::positive);
+    if (command.with_replay)
+      require_full_order_model("--replay", RanksAtWork::all);
     const std::vector<std::filesystem::path> inputs{find_model(command.model), command.goal, file.program};
     work_in_folder_together(output_request(command.common, written_by::optimize(), inputs), [&](const Begun &) {
       optimize_in_folder(command, {model, scene, file, warnings});

@@ -1,10 +1,10 @@
 #include <app/progress_bar.h>
+#include <datasets/console.h>
 
 #include <reports/page/number_text.h>
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <unistd.h>
 
 namespace swimtwin
@@ -14,7 +14,7 @@ namespace swimtwin
   ProgressBar::~ProgressBar()
   {
     if (visible_)
-      std::fputs("\r\033[K", stderr);
+      mutter("\r\033[K");
   }
 
   void ProgressBar::show(const int done, const int total, const int rate_steps, const double elapsed_s)
@@ -26,7 +26,7 @@ namespace swimtwin
     last_shown_s_     = elapsed_s;
     const int  filled = width * done / total;
     const auto left = rate_steps > 0 ? duration_text(elapsed_s / rate_steps * (total - done)) + " left" : std::string();
-    fmt::print(stderr, "\r\033[K[{:#<{}}{:.<{}}] step {} of {}  {}", "", filled, "", width - filled, done, total, left);
-    std::fflush(stderr);
+    mutter(
+        fmt::format("\r\033[K[{:#<{}}{:.<{}}] step {} of {}  {}", "", filled, "", width - filled, done, total, left));
   }
 } // namespace swimtwin

@@ -8,10 +8,19 @@ namespace swimtwin
   /// Whether this process prints: rank 0.
   bool is_speaker();
 
-  /// Wait, on all ranks but 0: most errors are noticed by all, and rank 0 speaks for them.
-  void let_speaker_go_first();
+  /// How the ranks end, once they have told each other.
+  struct Ending
+  {
+    int  exit_code   = 0;     ///< the largest of all ranks
+    bool all_came    = true;  ///< false: some rank does not know of the failure, and may wait for this one for ever
+    bool is_to_speak = false; ///< the first rank that failed
+  };
 
-  /// Do something on rank 0, with all ranks waiting; an InputError there is thrown by all.
+  /// Called by every rank at its end, whether it failed or not. A rank that failed waits two seconds for the others.
+  Ending end_together(int own_exit_code);
+
+  /// Do something on rank 0, with all ranks waiting; what it throws there is thrown by all, as InputError or as
+  /// ComputationError. Collective.
   void agree(const std::function<void()> &on_speaker);
 
   /// End the others, which may wait for this rank for ever; returns if there are none.

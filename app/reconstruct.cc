@@ -6,6 +6,7 @@
 #include <app/shipped_files.h>
 #include <app/verb.h>
 #include <app/written_files.h>
+#include <datasets/console.h>
 #include <datasets/error.h>
 #include <datasets/provenance.h>
 #include <datasets/run_summary_json.h>
@@ -18,7 +19,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <memory>
 
 namespace swimtwin
@@ -118,24 +118,24 @@ namespace swimtwin
       if (command.with_pictures)
         draw_run(common.output, scene, motion.trajectory, summary, shapes, warning);
       for (const std::string &doubt : summary.warnings)
-        fmt::print(stderr, "swimtwin: warning: {}\n", doubt);
+        warn(doubt);
       if (!warning.empty())
-        fmt::print(stderr, "swimtwin: {}\n", warning);
+        remark(warning);
       if (!common.quiet)
-        fmt::print("  {} periods, net displacement of the last {:+.5g} mm, head first\n  {} instants in {}\n",
-                   request.n_periods, 1e3 * summary.displacement_per_period_m.back(), motion.snapshots.size(),
-                   common.output.string());
+        say("  {} periods, net displacement of the last {:+.5g} mm, head first\n  {} instants in {}\n",
+            request.n_periods, 1e3 * summary.displacement_per_period_m.back(), motion.snapshots.size(),
+            common.output.string());
     }
 
     void reconstruct_and_report(const ReconstructCommand &command)
     {
-      if (command.with_flow)
-        require_full_order_model("--flow");
       const ReducedModel model   = read_reduced_model(find_model(command.model));
       const Scene        scene   = scene_of_run(command, model);
       RunRequest         request = sweep_options(scene, model).base;
       request.n_periods          = n_periods(scene);
       request.samples_per_period = command.n_instants;
+      if (command.with_flow)
+        require_full_order_model("--flow", RanksAtWork::this_one);
       work_in_folder(output_request(command.common, written_by::simulate(), {find_model(command.model)}),
                      [&](const Begun &) { reconstruct_in_folder(command, model, scene, request); });
     }

@@ -2,6 +2,7 @@
 #include <app/claimed_folder.h>
 #include <app/verb.h>
 #include <app/written_files.h>
+#include <datasets/console.h>
 #include <datasets/error.h>
 #include <datasets/folder_lock.h>
 #include <datasets/input_file.h>
@@ -20,7 +21,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <memory>
 
 namespace swimtwin
@@ -145,7 +145,7 @@ namespace swimtwin
                                      options.command_line));
       write_illustrated_page(options.output, page, illustrations);
       if (!options.quiet)
-        fmt::print("report in {}\n", (options.output / page_name).string());
+        say("report in {}\n", (options.output / page_name).string());
     }
 
     template <typename Results>
@@ -167,7 +167,7 @@ namespace swimtwin
       const RunFolder run = read_run(folder);
       write_page(run, common);
       if (!run.warning.empty())
-        fmt::print(stderr, "swimtwin: {}\n", run.warning);
+        remark(run.warning);
     }
 
     /// What is half-written must not be shown as a result.
@@ -179,8 +179,7 @@ namespace swimtwin
       std::error_code unreadable;
       for (const fs::directory_entry &entry : fs::directory_iterator(folder, unreadable))
         if (const auto run = run_in(entry.path()))
-          fmt::print(stderr, "swimtwin: warning: a run goes on in {}: {}; its results are not on the page\n",
-                     entry.path().string(), *run);
+          warn(fmt::format("a run goes on in {}: {}; its results are not on the page", entry.path().string(), *run));
     }
 
     void report(const ReportOptions &options)

@@ -1,69 +1,12 @@
 // Verb resistance: the rigid resistance matrix of a scene's swimmer at rest.
-#include <app/claimed_folder.h>
-#include <app/written_files.h>
+#include <app/resistance.h>
+
 #include <datasets/error.h>
-#include <datasets/output_folder.h>
-#include <datasets/provenance.h>
-#include <fom/resistance/resistance.h>
 
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
-
-#include <chrono>
 #include <memory>
 
 namespace swimtwin
 {
-  namespace
-  {
-    nlohmann::ordered_json to_json(const ResistanceResult<2> &result, const Scene &scene,
-                                   const std::string &command_line, const double wall_time_s)
-    {
-      nlohmann::ordered_json json;
-      json["matrix"] = nlohmann::ordered_json::array();
-      for (int i = 0; i < 3; ++i)
-        json["matrix"].push_back({result.matrix(i, 0), result.matrix(i, 1), result.matrix(i, 2)});
-      json["order"] = {"Ux", "Uy", "omega"};
-      json["units"] = "force and torque of the body on the fluid per unit depth: Pa s, Pa s m, Pa s m^2; torque about "
-                      "the head's centre";
-      json["asymmetry"]   = result.asymmetry;
-      json["n_unknowns"]  = result.n_unknowns;
-      json["n_cells"]     = result.n_cells;
-      json["wall_time_s"] = wall_time_s;
-      json["provenance"]  = {{"program_version", current_program_version},
-                             {"command_line", command_line},
-                             {"scene_hash", scene.hash},
-                             {"created", utc_time_now()},
-                             {"scene_text", scene.text}};
-      return json;
-    }
-
-    void print(const ResistanceResult<2> &result)
-    {
-      fmt::print("Resistance of the body at rest, per unit depth ({} unknowns, asymmetry {:.1e})\n", result.n_unknowns,
-                 result.asymmetry);
-      fmt::print("  {:>16} {:>16} {:>16}\n", "Ux", "Uy", "omega");
-      const char *const rows[] = {"Fx", "Fy", "T "};
-      for (int i = 0; i < 3; ++i)
-        fmt::print("{} {:16.8e} {:16.8e} {:16.8e}\n", rows[i], result.matrix(i, 0), result.matrix(i, 1),
-                   result.matrix(i, 2));
-    }
-
-    void compute_and_report(const Scene &scene, const CommonOptions &common)
-    {
-      const auto       start = std::chrono::steady_clock::now();
-      const Swimmer<2> swimmer(scene, MPI_COMM_WORLD);
-      const auto       result = compute_resistance(swimmer, swimmer.configuration_at_rest(), MPI_COMM_WORLD);
-      if (!is_speaker())
-        return;
-      const double wall_time_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-      write_text_atomically(common.output / "resistance.json",
-                            to_json(result, scene, common.command_line, wall_time_s).dump(2) + "\n");
-      if (!common.quiet)
-        print(result);
-    }
-  } // namespace
-
   Work add_resistance(CLI::App &tool, const std::string &command_line)
   {
     auto  common = std::make_shared<CommonOptions>();
@@ -76,8 +19,7 @@ namespace swimtwin
       const Scene scene = load_scene(*common);
       if (!scene.fluid)
         throw InputError(scene.name + " has no [fluid]: a resistance matrix needs one; add [fluid] and [domain]");
-      work_in_folder_together(output_request(*common, written_by::resistance(), files_of(*common, scene)),
-                              [&](const Begun &) { compute_and_report(scene, *common); });
+      resistance_and_report(scene, *common);
     };
   }
 } // namespace swimtwin

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <app/verb.h>
-#include <fom/run/simulation.h>
 
 namespace swimtwin
 {
@@ -11,5 +10,6 @@ namespace swimtwin
     bool resume = false, pictures = false;
   };
 
+  /// Collective. Throws InputError and ComputationError.
   void simulate_and_report(const Scene &scene, const CommonOptions &common, const SimulateOptions &own);
 } // namespace swimtwin

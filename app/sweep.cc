@@ -6,6 +6,7 @@
 #include <app/verb.h>
 #include <app/written_files.h>
 #include <datasets/clocks.h>
+#include <datasets/console.h>
 #include <datasets/dimensionless_groups.h>
 #include <datasets/error.h>
 #include <datasets/provenance.h>
@@ -20,7 +21,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 
 namespace swimtwin
@@ -181,7 +181,7 @@ namespace swimtwin
       auto &[model, scene, options, record] = setup;
       const CommonOptions &common           = command.common;
       if (!common.quiet)
-        fmt::print("{}", model_card(model));
+        say_text(model_card(model));
 
       const double start = wall_time_s();
       ProgressBar  bar(common.quiet);
@@ -210,15 +210,14 @@ namespace swimtwin
                                                   utc_time_now(),          record.wall_time_s};
       write_files(common, model, results, record);
       for (const std::string &warning : record.warnings)
-        fmt::print(stderr, "swimtwin: warning: {}\n", warning);
+        warn(warning);
       if (curves.empty())
         throw ComputationError(fmt::format("no member of the sweep was computed: {}", results.front().note));
       draw_beside_results(common.output, {frequency_picture(curves, common.output.filename().string())},
                           common.command_line);
       if (common.quiet)
         return;
-      fmt::print(
-          "{}  {} runs in {:.3g} s on {} threads, {:.2g} ms of CPU time each: three periods, the periodic motion and "
+      say("{}  {} runs in {:.3g} s on {} threads, {:.2g} ms of CPU time each: three periods, the periodic motion and "
           "the error indicator\n  results in {}\n",
           peak_table(curves), results.size(), record.wall_time_s, record.n_threads,
           1e3 * record.cpu_time_s / static_cast<double>(results.size()), common.output.string());

@@ -1,10 +1,12 @@
 #include <app/target.h>
 
 #include <app/claimed_folder.h>
+#include <app/full_order/full_order_build.h>
 #include <app/full_order/full_order_plant.h>
 #include <app/shipped_files.h>
 #include <app/written_files.h>
 #include <datasets/clocks.h>
+#include <datasets/console.h>
 #include <datasets/error.h>
 #include <datasets/provenance.h>
 #include <reports/page/draw_pictures.h>
@@ -14,8 +16,6 @@
 #include <rom/swimmer_integrator.h>
 
 #include <fmt/format.h>
-
-#include <cstdio>
 
 namespace swimtwin
 {
@@ -62,16 +62,15 @@ namespace swimtwin
     void print(const TargetRecord &record, const CommonOptions &common)
     {
       const auto share = [&](const double distance_m) { return 100. * distance_m / record.body_length_m; };
-      fmt::print(
-          "  {} after {:.4g} s, {} periods at {:.4g} Hz; the head's centre ends {:.2f} % of a body length from the "
+      say("  {} after {:.4g} s, {} periods at {:.4g} Hz; the head's centre ends {:.2f} % of a body length from the "
           "target\n  straight on and not turned, the carrier takes {:.4g} s; search: {}, {}\n",
           record.status(), record.way.time_s, record.way.n_periods, record.way.plan.carrier.frequency_Hz,
           share(record.swim.back().distance_m), record.way.straight_time_s, to_string(record.way.minimum.status),
           record.message());
       if (record.replay)
-        fmt::print("  full-order replay  ends {:.2f} % of a body length from the target\n",
-                   share(record.replay->back().distance_m));
-      fmt::print("  results in {}\n", common.output.string());
+        say("  full-order replay  ends {:.2f} % of a body length from the target\n",
+            share(record.replay->back().distance_m));
+      say("  results in {}\n", common.output.string());
     }
 
     void reach_in_folder(const TrackCommand &command, const ReducedModel &model, const Scene &scene,
@@ -80,7 +79,7 @@ namespace swimtwin
       const CommonOptions &common = command.common;
       const ReducedSwimmer swimmer(model);
       if (!common.quiet)
-        fmt::print("{}", model_card(model));
+        say_text(model_card(model));
       const double start = wall_time_s();
       record.way         = fastest_way(swimmer, record.goal.swimmer, record.goal.carrier, record.goal.start,
                                        record.goal.target_m, record.goal.options);
@@ -92,7 +91,7 @@ namespace swimtwin
                            utc_time_now(),          wall_time_s() - start};
       write(command, record);
       for (const std::string &warning : record.warnings)
-        fmt::print(stderr, "swimtwin: warning: {}\n", warning);
+        warn(warning);
       if (!record.way.found())
         throw InputError(
             fmt::format("{}: the target is infeasible: {}; allow more time or a wider [target] distance, or "
@@ -112,7 +111,7 @@ namespace swimtwin
     record.body_length_m = ReducedSwimmer(model).length_m();
     record.model_file    = find_model(command.model).string();
     if (command.with_replay)
-      make_full_order_plant(scene, {record.goal.steps_per_second, record.goal.carrier.frequency_Hz}); // or refuse now
+      require_full_order_model("--replay", RanksAtWork::this_one);
     work_in_folder(output_request(command.common, written_by::optimize(), {find_model(command.model), command.goal}),
                    [&](const Begun &) { reach_in_folder(command, model, scene, record); });
   }

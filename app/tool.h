@@ -13,6 +13,9 @@ namespace swimtwin
     Work (*add)(CLI::App &tool, const std::string &command_line);
   };
 
+  /// Those of the full build.
+  std::vector<Verb> every_verb();
+
   /// Read the command line, do the verb's work, say what went wrong: the one place for errors. Returns the exit code.
   int run_tool(int argc, char **argv, const std::vector<Verb> &verbs);
 } // namespace swimtwin

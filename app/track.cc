@@ -2,12 +2,14 @@
 #include <app/track.h>
 
 #include <app/claimed_folder.h>
+#include <app/full_order/full_order_build.h>
 #include <app/full_order/full_order_plant.h>
 #include <app/progress_bar.h>
 #include <app/shipped_files.h>
 #include <app/target.h>
 #include <app/written_files.h>
 #include <datasets/clocks.h>
+#include <datasets/console.h>
 #include <datasets/error.h>
 #include <datasets/provenance.h>
 #include <reports/page/draw_pictures.h>
@@ -17,7 +19,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdio>
 #include <memory>
 
 namespace swimtwin
@@ -76,20 +77,18 @@ namespace swimtwin
     void print(const TrackRecord &record, const CommonOptions &common)
     {
       const TrackResult &r = record.result;
-      fmt::print("{}",
-                 describe(record.goal.kind == TrackingKind::path ? "plan" : "closed loop", r, record.body_length_m));
-      fmt::print("{}", describe_swing(r, record.body_length_m));
+      say("{}", describe(record.goal.kind == TrackingKind::path ? "plan" : "closed loop", r, record.body_length_m));
+      say_text(describe_swing(r, record.body_length_m));
       if (const auto &point = record.goal.options.point; point && !r.instants.empty())
-        fmt::print(
-            "  {:<18} the led point, {:.2g} mm behind the head's centre, is {:.2f} % of a body length off its path "
+        say("  {:<18} the led point, {:.2g} mm behind the head's centre, is {:.2f} % of a body length off its path "
             "at every instant (rms)\n",
             "", 1e3 * point->behind_m, 100. * r.rms_point_m / record.body_length_m);
       if (record.replay)
-        fmt::print("{}", describe("full-order replay", *record.replay, record.body_length_m));
+        say_text(describe("full-order replay", *record.replay, record.body_length_m));
       if (r.n_decisions > 0)
-        fmt::print("  {} decisions: {:.2f} ms of CPU time on average, {:.2f} ms at most, {} too late\n", r.n_decisions,
-                   1e3 * r.mean_decision_s, 1e3 * r.largest_decision_s, r.n_missed);
-      fmt::print("  results in {}\n", common.output.string());
+        say("  {} decisions: {:.2f} ms of CPU time on average, {:.2f} ms at most, {} too late\n", r.n_decisions,
+            1e3 * r.mean_decision_s, 1e3 * r.largest_decision_s, r.n_missed);
+      say("  results in {}\n", common.output.string());
     }
 
     void draw(const TrackCommand &command, const TrackRecord &record)
@@ -121,7 +120,7 @@ namespace swimtwin
       const CommonOptions &common               = command.common;
       const Scene          scene                = parse_scene(model.scene_text, model.scene_name + ".toml");
       if (!common.quiet)
-        fmt::print("{}", model_card(model));
+        say_text(model_card(model));
       const double start = wall_time_s();
       ProgressBar  bar(common.quiet);
       record.goal.options.on_progress = [&](const double share) {
@@ -148,8 +147,12 @@ namespace swimtwin
     const ReducedModel   model = read_reduced_model(find_model(command.model));
     const ReducedSwimmer swimmer(model);
     TrackRecord          record;
-    record.goal            = read_tracking_goal(command.goal, model);
-    const bool has_replay  = command.with_replay && record.goal.kind == TrackingKind::path;
+    record.goal           = read_tracking_goal(command.goal, model);
+    const bool has_replay = command.with_replay && record.goal.kind == TrackingKind::path;
+    if (has_replay)
+      require_full_order_model("--replay", RanksAtWork::this_one);
+    if (record.goal.kind == TrackingKind::closed_loop && record.goal.plant == PlantKind::full_order)
+      require_full_order_model("[loop] plant = \"full-order\"", RanksAtWork::this_one);
     const auto replayed_on = has_replay ? full_order_plant(model, record.goal) : nullptr;
     work_in_folder(output_request(command.common, written_by::optimize(), {find_model(command.model), command.goal}),
                    [&](const Begun &) {

@@ -1,23 +1,14 @@
 // Verb train: a reduced swimmer from a scene.
-#include <app/claimed_folder.h>
-#include <app/progress_bar.h>
-#include <app/ranks.h>
-#include <app/shipped_files.h>
+#include <app/train.h>
+
 #include <app/value_list.h>
-#include <app/verb.h>
-#include <app/written_files.h>
 #include <datasets/dimensionless_groups.h>
 #include <datasets/error.h>
-#include <datasets/output_folder.h>
 #include <datasets/snapshot_set.h>
-#include <reports/sweep/model_card.h>
-#include <rom/training/training.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
-#include <cstdio>
 #include <memory>
 
 namespace swimtwin
@@ -25,16 +16,6 @@ namespace swimtwin
   namespace
   {
     constexpr double largest_unsteady_group = 2.;
-
-    struct TrainCommand
-    {
-      CommonOptions            common;
-      TrainingOptions          training;
-      std::string              frequency, young_modulus, viscosity, magnetization, bx, by; ///< ranges as typed
-      std::string              basis = "pod";
-      std::vector<std::string> snapshots;
-      bool                     resume = false, allow_inertia = false;
-    };
 
     /// "4e4:3e5" or one value.
     Interval parse_interval(const std::string &option, const std::string &text, const ValueRule rule)
@@ -71,84 +52,18 @@ namespace swimtwin
                         group, range.frequency_Hz.high, range.viscosity_Pa_s.low, largest_unsteady_group));
     }
 
-    /// Whether a training that is resumed has nothing left to do: rank 0 looks, the others learn it.
-    bool nothing_to_resume(const std::filesystem::path &folder)
+    /// Throws InputError.
+    void complete_options(TrainCommand &command, const Scene &scene)
     {
-      bool complete = is_speaker() && std::filesystem::exists(folder / "model.h5");
-      MPI_Bcast(&complete, sizeof complete, MPI_BYTE, 0, MPI_COMM_WORLD);
-      return complete;
-    }
-
-    /// One line per stage on the terminal.
-    class StageBar
-    {
-    public:
-      explicit StageBar(const bool quiet) : quiet_(quiet) {}
-
-      void show(const std::string &stage, const int done, const int total)
-      {
-        if (stage != stage_)
-        {
-          bar_.reset();
-          if (!quiet_)
-            fmt::print("{}\n", stage);
-          std::fflush(stdout);
-          stage_ = stage;
-          first_ = done;
-          start_ = std::chrono::steady_clock::now();
-          bar_   = std::make_unique<ProgressBar>(quiet_);
-        }
-        const double elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-        bar_->show(done, total, done - first_, elapsed_s);
-      }
-
-    private:
-      bool                                  quiet_;
-      std::string                           stage_;
-      int                                   first_ = 0;
-      std::chrono::steady_clock::time_point start_;
-      std::unique_ptr<ProgressBar>          bar_;
-    };
-
-    void train_in_folder(TrainCommand &command, const Scene &scene, const Begun &begun)
-    {
-      TrainingOptions &own   = command.training;
-      const bool       quiet = command.common.quiet || !is_speaker();
-      if (command.resume && nothing_to_resume(own.folder))
-      {
-        if (!quiet)
-          fmt::print("{} is complete: nothing to resume\n", own.folder.string());
-        return;
-      }
-      StageBar bar(quiet);
-      own.on_progress = [&](const std::string &stage, const int done, const int total) {
-        begun();
-        bar.show(stage, done, total);
-      };
-      const ReducedModel model = train(scene, own, MPI_COMM_WORLD);
-      if (is_speaker())
-        write_text_atomically(own.folder / "model-card.txt", model_card(model));
-      if (!quiet)
-        fmt::print("{}  results in {}\n", model_card(model), own.folder.string());
-    }
-
-    void train_and_report(TrainCommand &command)
-    {
-      const Scene scene = load_scene(command.common);
-      auto       &own   = command.training;
-      own.range         = range_of(command, scene);
-      own.basis         = command.basis == "elastic" ? BasisChoice::elastic : BasisChoice::pod;
-      own.folder        = command.common.output;
-      own.command_line  = command.common.command_line;
-      own.snapshots     = {command.snapshots.begin(), command.snapshots.end()};
+      auto &own        = command.training;
+      own.range        = range_of(command, scene);
+      own.basis        = command.basis == "elastic" ? BasisChoice::elastic : BasisChoice::pod;
+      own.folder       = command.common.output;
+      own.command_line = command.common.command_line;
+      own.snapshots    = {command.snapshots.begin(), command.snapshots.end()};
       require_small_inertia(command, scene, own.range);
       for (const auto &file : own.snapshots)
         read_snapshots(file); // refused now rather than after the runs
-      std::vector<std::filesystem::path> inputs = own.snapshots;
-      inputs.push_back(find_scene(command.common.scene)); // the sinusoid that can be trained on has no file
-      OutputRequest request = output_request(command.common, written_by::train(), inputs);
-      request.resume        = command.resume;
-      work_in_folder_together(request, [&](const Begun &begun) { train_in_folder(command, scene, begun); });
     }
   } // namespace
 
@@ -187,6 +102,10 @@ namespace swimtwin
     verb->add_flag("--allow-inertia", own->allow_inertia, "Train although inertia is not small");
     verb->add_flag("--resume", own->resume, "Go on with an interrupted training");
     own->common.command_line = command_line;
-    return [own] { train_and_report(*own); };
+    return [own] {
+      const Scene scene = load_scene(own->common);
+      complete_options(*own, scene);
+      train_and_report(scene, *own);
+    };
   }
 } // namespace swimtwin

@@ -4,10 +4,23 @@
 
 namespace swimtwin
 {
+  namespace
+  {
+    /// What is wrong with the text behind --set, or nothing.
+    std::string is_assignment(const std::string &text)
+    {
+      const auto sign = text.find('=');
+      if (sign == 0 || sign == std::string::npos || sign + 1 == text.size())
+        return text + " is not KEY=VALUE; write for instance --set time.periods=2";
+      return {};
+    }
+  } // namespace
+
   void add_common_options(CLI::App &verb, CommonOptions &options, const OutputFolder output)
   {
     verb.add_option("--set", options.overrides, "Override a scene entry: key.path=value (repeatable)")
         ->type_name("KEY=VALUE")
+        ->check(is_assignment)
         ->allow_extra_args(false);
     add_output_options(verb, options, output);
   }

@@ -50,12 +50,10 @@ namespace swimtwin
       const std::filesystem::path folder = common.output / "replay" / file_name(field.name);
       const std::filesystem::path file   = folder / "field.csv";
       const double samples_per_s         = options.steps_per_period * drive.frequency_Hz; // the steps' own instants
-      if (is_speaker())
-      {
+      agree([&] {
         std::filesystem::create_directories(folder);
         write_field_program(file, sampled_program(drive, samples_per_s), field.name + ", as it was replayed");
-      }
-      MPI_Barrier(MPI_COMM_WORLD);
+      });
       ReplayedField replayed;
       replayed.name            = field.name;
       Scene      scene         = replay_scene(model, plan, file, 1. / drive.frequency_Hz, 0., options);

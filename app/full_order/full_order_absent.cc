@@ -8,7 +8,7 @@
 
 namespace swimtwin
 {
-  void require_full_order_model(const std::string &option)
+  void require_full_order_model(const std::string &option, RanksAtWork /*ranks*/)
   {
     throw InputError(option + " needs the full-order model, which this build is without: use the tool of the release "
                               "build, or leave the option out");
@@ -17,25 +17,25 @@ namespace swimtwin
   void write_flow_of_run(const Scene &, const ReducedModel &, double, const std::vector<ReducedSnapshot> &,
                          const std::filesystem::path &, const std::function<void(int)> &)
   {
-    require_full_order_model("a flow");
+    require_full_order_model("a flow", RanksAtWork::this_one);
   }
 
   double full_order_displacement_m(const Scene &, const std::filesystem::path &)
   {
-    require_full_order_model("a full-order run");
+    require_full_order_model("a full-order run", RanksAtWork::this_one);
     return 0.;
   }
 
   std::unique_ptr<Plant> make_full_order_plant(const Scene &, const FullOrderPlantOptions &)
   {
-    require_full_order_model("[loop] plant = \"full-order\"");
+    require_full_order_model("[loop] plant = \"full-order\"", RanksAtWork::this_one);
     return {};
   }
 
   PlanReplay replay_on_full_order_model(const ReducedModel &, const PlanResult &, const CommonOptions &,
                                         const ReplayOptions &)
   {
-    require_full_order_model("a replay");
+    require_full_order_model("a replay", RanksAtWork::this_one);
     return {};
   }
 } // namespace swimtwin

@@ -1,10 +1,9 @@
 #include <reports/page/draw_pictures.h>
 
+#include <datasets/console.h>
 #include <datasets/error.h>
 
 #include <fmt/format.h>
-
-#include <cstdio>
 
 namespace swimtwin
 {
@@ -66,7 +65,7 @@ namespace swimtwin
     std::string                 warning;
     const std::vector<fs::path> drawn = draw_pictures(output / pictures_folder_name, pictures, origin, warning);
     if (!warning.empty())
-      fmt::print(stderr, "swimtwin: {}\n", warning);
+      remark(warning);
     return drawn;
   }
 } // namespace swimtwin

@@ -1,12 +1,12 @@
 #include <reports/page/illustrated_page.h>
 
+#include <datasets/console.h>
 #include <datasets/output_folder.h>
 #include <reports/page/draw_pictures.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 
 namespace swimtwin
 {
@@ -37,6 +37,6 @@ namespace swimtwin
   {
     write_text_atomically(output / page_name, page.text());
     if (!illustrations.warning.empty())
-      fmt::print(stderr, "swimtwin: {}\n", illustrations.warning);
+      remark(illustrations.warning);
   }
 } // namespace swimtwin

@@ -8,16 +8,32 @@ namespace swimtwin
 {
   namespace
   {
-    Outcome simulate_on_two_ranks(const ShrunkScene &scene, const std::filesystem::path &folder)
+    Outcome run_on_two_ranks(const std::vector<std::string> &arguments)
     {
       // Open MPI: allow root, more ranks than cores, and let ranks that wait give their core away.
       setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
       setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
       setenv("OMPI_MCA_mpi_yield_when_idle", "1", 1);
       std::vector<std::string> words{"mpirun", "--oversubscribe", "-n", "2"};
-      for (const auto &word : tool(simulate_arguments(scene, folder)))
+      for (const auto &word : tool(arguments))
         words.push_back(word);
       return run(words);
+    }
+
+    Outcome simulate_on_two_ranks(const ShrunkScene &scene, const std::filesystem::path &folder)
+    {
+      return run_on_two_ranks(simulate_arguments(scene, folder));
+    }
+
+    /// What is left is mpirun's own report of an exit code that is not 0.
+    void expect_one_sentence_and_an_end_in_order(const Outcome &outcome, const int exit_code, const std::string &part)
+    {
+      EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
+      EXPECT_EQ(outcome.err.substr(0, 10), "swimtwin: ") << outcome.err;
+      EXPECT_EQ(outcome.err.rfind("swimtwin: "), 0) << outcome.err;
+      expect_in(outcome.err, part);
+      EXPECT_EQ(outcome.err.find("MPI_ABORT"), std::string::npos) << outcome.err;
+      EXPECT_EQ(outcome.err.find("finalize"), std::string::npos) << outcome.err;
     }
   } // namespace
 
@@ -52,12 +68,42 @@ namespace swimtwin
     EXPECT_EQ(compared.out, "5\n"); // three instants of the tail, two of the fluid
   }
 
-  TEST(Ranks, BadInputEndsBothRanksWithOneMessageAndItsExitCode)
+  TEST(Ranks, MistakesThatAllRanksSeeEndInOrderWithOneSentence)
   {
     const TemporaryFolder folder;
-    const Outcome outcome = simulate_on_two_ranks(coarse_swimmer(20, 1.).with({"tail.length_m=-1"}), folder.path);
-    EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
-    expect_in(outcome.err, "length_m");
-    EXPECT_EQ(outcome.err.find("swimtwin:"), outcome.err.rfind("swimtwin:")) << outcome.err;
+    const ShrunkScene     scene = coarse_swimmer(20, 1.);
+    expect_one_sentence_and_an_end_in_order(simulate_on_two_ranks(scene.with({"tail.length_m=-1"}), folder.path), 2,
+                                            "length_m");
+    expect_one_sentence_and_an_end_in_order(run_on_two_ranks({"swimulate"}), 2, "simulate");
+    expect_one_sentence_and_an_end_in_order(run_on_two_ranks({"sweep", "no-such-model", "--output", folder.path}), 2,
+                                            "no-such-model");
+  }
+
+  TEST(Ranks, MistakesThatOneRankSeesEndInOrderToo)
+  {
+    const TemporaryFolder folder;
+    folder.write("trajectory.csv", "an earlier result");
+    folder.write("plan.txt", "an earlier result");
+    folder.write("resistance.json", "an earlier result");
+    const ShrunkScene scene = coarse_swimmer(20, 1.);
+    expect_one_sentence_and_an_end_in_order(simulate_on_two_ranks(scene, folder.path), 2, "--force");
+    for (const char *verb : {"plan", "resistance"})
+    {
+      std::vector<std::string> arguments{verb, "--output", folder.path};
+      for (const std::string &word : scene.arguments())
+        arguments.push_back(word);
+      expect_one_sentence_and_an_end_in_order(run_on_two_ranks(arguments), 2, "--force");
+    }
+  }
+
+  TEST(Ranks, OnlyTheFirstSpeaksWhereOneIsEnough)
+  {
+    const TemporaryFolder folder;
+    EXPECT_EQ(run_on_two_ranks({"--version"}).out, run_tool({"--version"}).out);
+    const Outcome outcome = run_on_two_ranks({"reconstruct", "reference-2d", "--flow", "--instants", "3", "--set",
+                                              "time.periods=1", "--output", folder.path});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_TRUE(std::filesystem::exists(folder.path / "fields"));
   }
 } // namespace swimtwin

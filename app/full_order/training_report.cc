@@ -1,0 +1,92 @@
+// The training of a reduced swimmer, with its report.
+#include <app/train.h>
+
+#include <app/claimed_folder.h>
+#include <app/progress_bar.h>
+#include <app/ranks.h>
+#include <app/shipped_files.h>
+#include <app/written_files.h>
+#include <datasets/console.h>
+#include <datasets/output_folder.h>
+#include <reports/sweep/model_card.h>
+#include <rom/training/training.h>
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <memory>
+
+namespace swimtwin
+{
+  namespace
+  {
+    /// Whether a training that is resumed has nothing left to do: rank 0 looks, the others learn it.
+    bool nothing_to_resume(const std::filesystem::path &folder)
+    {
+      bool complete = is_speaker() && std::filesystem::exists(folder / "model.h5");
+      MPI_Bcast(&complete, sizeof complete, MPI_BYTE, 0, MPI_COMM_WORLD);
+      return complete;
+    }
+
+    /// One line per stage on the terminal.
+    class StageBar
+    {
+    public:
+      explicit StageBar(const bool quiet) : quiet_(quiet) {}
+
+      void show(const std::string &stage, const int done, const int total)
+      {
+        if (stage != stage_)
+        {
+          bar_.reset();
+          if (!quiet_)
+            say("{}\n", stage);
+          stage_ = stage;
+          first_ = done;
+          start_ = std::chrono::steady_clock::now();
+          bar_   = std::make_unique<ProgressBar>(quiet_);
+        }
+        const double elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+        bar_->show(done, total, done - first_, elapsed_s);
+      }
+
+    private:
+      bool                                  quiet_;
+      std::string                           stage_;
+      int                                   first_ = 0;
+      std::chrono::steady_clock::time_point start_;
+      std::unique_ptr<ProgressBar>          bar_;
+    };
+
+    void train_in_folder(TrainCommand &command, const Scene &scene, const Begun &begun)
+    {
+      TrainingOptions &own   = command.training;
+      const bool       quiet = command.common.quiet || !is_speaker();
+      if (command.resume && nothing_to_resume(own.folder))
+      {
+        if (!quiet)
+          say("{} is complete: nothing to resume\n", own.folder.string());
+        return;
+      }
+      StageBar bar(quiet);
+      own.on_progress = [&](const std::string &stage, const int done, const int total) {
+        begun();
+        bar.show(stage, done, total);
+      };
+      const ReducedModel model = train(scene, own, MPI_COMM_WORLD);
+      if (is_speaker())
+        write_text_atomically(own.folder / "model-card.txt", model_card(model));
+      if (!quiet)
+        say("{}  results in {}\n", model_card(model), own.folder.string());
+    }
+  } // namespace
+
+  void train_and_report(const Scene &scene, TrainCommand &command)
+  {
+    std::vector<std::filesystem::path> inputs = command.training.snapshots;
+    inputs.push_back(find_scene(command.common.scene)); // the sinusoid that can be trained on has no file
+    OutputRequest request = output_request(command.common, written_by::train(), inputs);
+    request.resume        = command.resume;
+    work_in_folder_together(request, [&](const Begun &begun) { train_in_folder(command, scene, begun); });
+  }
+} // namespace swimtwin

@@ -1,0 +1,21 @@
+// What other programs' libraries are told by the environment: nothing but what the tool wants.
+#pragma once
+
+namespace swimtwin
+{
+  enum class RanksAtWork {
+    all,     ///< those that mpirun started work together
+    this_one ///< the others have nothing to do, and are not waited for
+  };
+
+  /// Rank that mpirun (or another launcher that speaks PMIx) gave this process; 0 without one.
+  int launched_rank();
+
+  /// Take out of the environment what could break or change the libraries: options of PETSc, thread numbers, kernels of
+  /// the BLAS, debugging of HDF5. One thread per rank. HDF5_USE_FILE_LOCKING stays, which some file systems need.
+  void quiet_library_environment();
+
+  /// The same for MPI, before it starts: a process that works alone needs no daemon, no ssh, no folder for temporary
+  /// files, no network and nobody's settings. One that works with others keeps what mpirun told it.
+  void settle_mpi_environment(RanksAtWork ranks);
+} // namespace swimtwin

@@ -1,0 +1,16 @@
+#include <app/standard_streams.h>
+
+#include <csignal>
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace swimtwin
+{
+  void settle_standard_streams()
+  {
+    for (int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+      if (::fcntl(stream, F_GETFD) == -1)
+        ::open("/dev/null", O_RDWR); // takes the lowest free number, which is this one
+    std::signal(SIGPIPE, SIG_IGN);
+  }
+} // namespace swimtwin
