@@ -1,6 +1,7 @@
 #include <app/command_words.h>
 
 #include <datasets/error.h>
+#include <datasets/nearest_name.h>
 #include <datasets/toml_table.h>
 
 #include <fmt/format.h>
