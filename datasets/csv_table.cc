@@ -82,8 +82,10 @@ namespace swimtwin
   CsvTable CsvTable::read(const std::filesystem::path &file, std::vector<std::string> &left_out)
   {
     CsvTable          table;
-    const std::string bytes = read_text_file(file, "the table");
+    const std::string bytes = read_content(file, "the table");
     refuse_foreign_format(file, bytes);
+    if (const auto other = foreign_content(bytes))
+      refuse_file(file, "the table", *other);
     table.file_              = file.string();
     const DelimitedText text = split_rows(decoded_text(bytes, file), table.file_);
     if (text.rows.empty())
