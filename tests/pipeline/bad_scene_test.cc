@@ -1,6 +1,8 @@
 #include <tests/pipeline/simulation.h>
 #include <tests/places.h>
 
+#include <fmt/format.h>
+
 namespace swimtwin
 {
   namespace
@@ -113,8 +115,9 @@ namespace swimtwin
 
   TEST(BadScene, AnOverrideNeedsAKeyAndAValue)
   {
-    expect_refusal_of_setting("time.periods", {"key.path=value"});
-    expect_refusal_of_setting("=3", {"key.path=value"});
+    for (const char *setting : {"time.periods", "=3"})
+      expect_refusal({"reference-2d-casefile", {setting}},
+                     {fmt::format("--set: {} is not KEY=VALUE; write for instance --set time.periods=2", setting)});
   }
 
   TEST(BadScene, TooFewStepsPerPeriodAreRefused)
