@@ -36,20 +36,28 @@ namespace swimtwin
       return near ? fmt::format("; the nearest name that is shipped is {}", *near) : "";
     }
 
-    /// A file as it is named, or the shipped one of that name. A name with a folder means that folder; one that may
-    /// mean a file here, but for its ending, is refused.
+    /// What is named may be a file here too, but for its ending.
+    void refuse_two_meanings(const std::string &name, const fs::path &here, const fs::path &shipped)
+    {
+      std::error_code ignored;
+      if (fs::is_regular_file(here, ignored) && !fs::equivalent(here, shipped, ignored))
+        throw InputError(fmt::format("{} is shipped, and {} lies here too; say which is meant, {} or {}.", name,
+                                     here.string(), here.string(), shipped.string()));
+    }
+
+    /// A file as it is named, or the shipped one of that name. A name with a folder means what is in that folder.
     fs::path file_or_shipped(const std::string &name, const char *folder, const char *extension)
     {
       std::error_code ignored;
-      const fs::path  shipped = shipped_datasets() / folder / (name + extension), here = name + extension;
-      const bool      is_shipped = fs::exists(shipped, ignored) && !fs::path(name).has_parent_path();
+      const fs::path  shipped    = shipped_datasets() / folder / (name + extension);
+      const bool      is_shipped = !fs::path(name).has_parent_path() && fs::exists(shipped, ignored);
       if (fs::exists(name, ignored) && !(fs::is_directory(name, ignored) && is_shipped))
         return name;
-      if (is_shipped && fs::is_regular_file(here, ignored) && !fs::equivalent(here, shipped, ignored))
-        throw InputError(fmt::format("{} is shipped, and {} lies here too; say which is meant, {} or {}.", name,
-                                     here.string(), here.string(), shipped.string()));
       if (is_shipped)
+      {
+        refuse_two_meanings(name, name + extension, shipped);
         return shipped;
+      }
       const bool is_plain = fs::path(name).filename() == name && !fs::path(name).has_extension();
       if (const std::string near = is_plain ? hint(name, shipped.parent_path(), extension) : ""; !near.empty())
         throw InputError(fmt::format("cannot read {}: there is no such file{}.", name, near));

@@ -34,56 +34,71 @@ namespace swimtwin
                                          p.name, p.value));
     }
 
-    /// Largest residual beside the others of its fit, in their size (a median is not moved by it) and in sigma.
+    /// Largest residual beside the others of its fit.
     constexpr double far = 5.;
 
-    double size_without(const std::vector<ObservationResidual> &residuals, const std::size_t left_out)
+    double in_sigma(const CalibrationResult &result, const ObservationResidual &residual)
     {
-      std::vector<double> sizes;
-      for (std::size_t i = 0; i < residuals.size(); ++i)
-        if (i != left_out)
-          sizes.push_back(std::abs(residuals[i].standardised));
-      const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-      std::nth_element(sizes.begin(), middle, sizes.end());
-      return 1.4826 * *middle; // a Gaussian's standard deviation from its median
+      return result.swimmer.noise_scale * std::abs(residual.standardised);
     }
 
-    void warn_of_outlier(const CalibrationProblem &problem, const std::vector<ObservationSet> &sets,
-                         const CalibrationResult &result, Warnings &warnings)
+    /// Which residual is the largest.
+    std::size_t find_worst(const CalibrationResult &result)
     {
-      const auto &all = result.residuals;
-      if (problem.loss != LossKind::least_squares || all.size() < 3)
-        return;
-      const auto   worst = std::max_element(all.begin(), all.end(), [](const auto &a, const auto &b) {
-        return std::abs(a.standardised) < std::abs(b.standardised);
-      });
-      const auto   index = static_cast<std::size_t>(worst - all.begin());
-      const double size  = std::abs(worst->standardised);
-      if (size < far * std::max(1., size_without(all, index)))
-        return;
+      const auto &all     = result.residuals;
+      const auto  smaller = [&](const auto &a, const auto &b) { return in_sigma(result, a) < in_sigma(result, b); };
+      return static_cast<std::size_t>(std::max_element(all.begin(), all.end(), smaller) - all.begin());
+    }
+
+    /// Of the other residuals in sigma: a Gaussian's standard deviation from the median, which outliers do not move.
+    double size_of_others(const CalibrationResult &result, const std::size_t left_out)
+    {
+      std::vector<double> sizes;
+      for (std::size_t i = 0; i < result.residuals.size(); ++i)
+        if (i != left_out)
+          sizes.push_back(in_sigma(result, result.residuals[i]));
+      const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+      std::nth_element(sizes.begin(), middle, sizes.end());
+      return 1.4826 * *middle;
+    }
+
+    /// `curve.csv:7: the observation at 0.72 Hz`.
+    std::string name_of(const std::size_t observation, const std::vector<ObservationSet> &sets,
+                        const CalibrationResult &result)
+    {
       std::vector<std::string> where;
       for (const ObservationSet &set : sets)
         for (const Observation &point : set.points)
           where.push_back(point.where);
-      warnings.push_back(
-          fmt::format("{}: the observation at {:.4g} Hz is {:.3g} sigma away from the fit, far more than the "
-                      "others, and pulls the estimate; correct it or leave it out, or use a loss that it "
-                      "cannot pull: [loss] kind = \"huber\" (or \"cauchy\") in the problem file",
-                      where.at(index), worst->frequency_Hz, size));
+      return fmt::format("{}: the observation at {:.4g} Hz", where.at(observation),
+                         result.residuals[observation].frequency_Hz);
     }
 
-    void warn_of_scatter(const CalibrationProblem &problem, const CalibrationResult &result, Warnings &warnings)
+    /// Residuals that are too large, least squares, and whether one observation is to blame.
+    void warn_of_scatter(const CalibrationProblem &problem, const std::vector<ObservationSet> &sets,
+                         const CalibrationResult &result, Warnings &warnings)
     {
-      if (result.n_degrees_of_freedom < 1 || free_noise_scale(problem) != nullptr ||
-          problem.loss != LossKind::least_squares)
+      if (problem.loss != LossKind::least_squares || result.residuals.size() < 3)
+        return;
+      const std::size_t worst = find_worst(result);
+      const double      size  = in_sigma(result, result.residuals[worst]);
+      if (size > far * std::max(1., size_of_others(result, worst)))
+        warnings.push_back(fmt::format(
+            "{} is {:.3g} sigma away from the fit, far more than the others, and pulls the estimate; correct "
+            "it or leave it out, or use a loss that it cannot pull: [loss] kind = \"huber\" (or \"cauchy\") "
+            "in the problem file",
+            name_of(worst, sets, result), size));
+      if (result.n_degrees_of_freedom < 1 || free_noise_scale(problem) != nullptr)
         return;
       const boost::math::chi_squared law(result.n_degrees_of_freedom);
       const double                   larger = boost::math::cdf(boost::math::complement(law, result.chi_squared));
       if (larger < 1e-3)
         warnings.push_back(fmt::format("the residuals are larger than the stated sigma explain (chi^2 = {:.4g} at {} "
-                                       "degrees of freedom): intervals are too short; free noise_scale, use a robust "
-                                       "loss, or look for what the model lacks",
-                                       result.chi_squared, result.n_degrees_of_freedom));
+                                       "degrees of freedom; {} is {:.3g} sigma away): intervals are too short; free "
+                                       "noise_scale, use a robust loss ([loss] kind = \"huber\"), or look for what the "
+                                       "model lacks",
+                                       result.chi_squared, result.n_degrees_of_freedom, name_of(worst, sets, result),
+                                       size));
     }
   } // namespace
 
@@ -106,8 +121,7 @@ namespace swimtwin
     Warnings warnings = data_warnings(input.model, sets);
     warn_of_trust(result, warnings);
     warn_of_bounds(result, warnings);
-    warn_of_outlier(input.problem, sets, result, warnings);
-    warn_of_scatter(input.problem, result, warnings);
+    warn_of_scatter(input.problem, sets, result, warnings);
     if (estimate.error.origin == "none" && !input.problem.model_error)
       warnings.push_back("the model has no held-out runs, so its own error is not known and counts as zero");
     return warnings;

@@ -92,35 +92,73 @@ namespace swimtwin
              status == RelativeErrorAndReductionTooSmall || status == CosinusTooSmall || status == FtolTooSmall ||
              status == XtolTooSmall || status == GtolTooSmall;
     }
+    struct SpringSolution
+    {
+      LeastSquaresSolution solution;
+      Eigen::VectorXd      slope; ///< of half the square, by unknown
+    };
+
+    SpringSolution solve_with_springs(const LeastSquaresProblem &problem, const Eigen::VectorXd &start,
+                                      const std::vector<int> &held, const LeastSquaresOptions &options)
+    {
+      const std::vector<int> free = free_unknowns(start.size(), held);
+      Functor                functor(problem, start, free);
+      LeastSquaresSolution   solution;
+      Eigen::VectorXd        v(static_cast<Eigen::Index>(free.size()));
+      for (std::size_t i = 0; i < free.size(); ++i)
+        v[static_cast<Eigen::Index>(i)] = start[free[i]];
+      if (free.empty())
+        solution.converged = true;
+      else
+      {
+        Eigen::LevenbergMarquardt<Functor> method(functor);
+        method.setFactor(largest_first_step);
+        method.setFtol(options.tolerance);
+        method.setXtol(options.tolerance);
+        method.setMaxfev(options.max_evaluations);
+        solution.converged = has_converged(method.minimize(v));
+      }
+      solution.unknowns = functor.unknowns(v);
+      Eigen::VectorXd rows;
+      Eigen::MatrixXd by_unknowns;
+      if (!problem.evaluate(solution.unknowns, rows, by_unknowns))
+        solution.converged = false;
+      solution.half_square   = 0.5 * rows.squaredNorm();
+      solution.n_evaluations = functor.n_evaluations + 1;
+      return {solution, solution.converged ? Eigen::VectorXd(by_unknowns.transpose() * rows)
+                                           : Eigen::VectorXd::Zero(start.size())};
+    }
+
+    /// Those that are held, and those that lie at a bound and would go on beyond it.
+    std::vector<int> held_or_pushed(const LeastSquaresProblem &problem, const SpringSolution &at, std::vector<int> held)
+    {
+      for (const int j : free_unknowns(at.slope.size(), held))
+      {
+        const double x = at.solution.unknowns[j], slope = at.slope[j];
+        if ((x <= problem.lower[j] && slope > 0.) || (x >= problem.upper[j] && slope < 0.))
+          held.push_back(j);
+      }
+      return held;
+    }
   } // namespace
 
   LeastSquaresSolution solve_least_squares(const LeastSquaresProblem &problem, const Eigen::VectorXd &start,
                                            const std::vector<int> &held, const LeastSquaresOptions &options)
   {
-    const std::vector<int> free = free_unknowns(start.size(), held);
-    Functor                functor(problem, start, free);
-    LeastSquaresSolution   solution;
-    Eigen::VectorXd        v(static_cast<Eigen::Index>(free.size()));
-    for (std::size_t i = 0; i < free.size(); ++i)
-      v[static_cast<Eigen::Index>(i)] = start[free[i]];
-    if (free.empty())
-      solution.converged = true;
-    else
+    SpringSolution   found         = solve_with_springs(problem, start, held, options);
+    std::vector<int> held_so_far   = held;
+    int              n_evaluations = found.solution.n_evaluations;
+    // Large residuals stretch the springs, and the other unknowns follow the straight lines: without them, once more.
+    for (Eigen::Index round = 0; round < start.size(); ++round)
     {
-      Eigen::LevenbergMarquardt<Functor> method(functor);
-      method.setFactor(largest_first_step);
-      method.setFtol(options.tolerance);
-      method.setXtol(options.tolerance);
-      method.setMaxfev(options.max_evaluations);
-      solution.converged = has_converged(method.minimize(v));
+      const std::vector<int> pushed = held_or_pushed(problem, found, held);
+      if (pushed == held_so_far)
+        break;
+      held_so_far = pushed;
+      found       = solve_with_springs(problem, found.solution.unknowns, pushed, options);
+      n_evaluations += found.solution.n_evaluations;
     }
-    solution.unknowns = functor.unknowns(v);
-    Eigen::VectorXd rows;
-    Eigen::MatrixXd by_unknowns;
-    if (!problem.evaluate(solution.unknowns, rows, by_unknowns))
-      solution.converged = false;
-    solution.half_square   = 0.5 * rows.squaredNorm();
-    solution.n_evaluations = functor.n_evaluations + 1;
-    return solution;
+    found.solution.n_evaluations = n_evaluations;
+    return found.solution;
   }
 } // namespace swimtwin

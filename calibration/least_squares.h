@@ -31,7 +31,8 @@ namespace swimtwin
   };
 
   /// Eigen's implementation of MINPACK's method, which knows no bounds: outside them the rows go on as straight lines
-  /// from the nearest point, and stiff springs pull back. `held`: unknowns that stay at their start.
+  /// from the nearest point, and stiff springs pull back; what ends at a bound is then held there while the others are
+  /// solved for again. `held`: unknowns that stay at their start.
   LeastSquaresSolution solve_least_squares(const LeastSquaresProblem &problem, const Eigen::VectorXd &start,
                                            const std::vector<int> &held = {}, const LeastSquaresOptions &options = {});
 } // namespace swimtwin

@@ -17,11 +17,15 @@ namespace swimtwin
     // What is read off derivatives (null directions!) needs as many digits as there are.
     constexpr double information_tolerance = 1e-9, fine_interpolation_error = 1e-5;
     constexpr int    most_rounds = 4; // of moving the estimate's table to where the estimate is
+    /// Of this many sigma, residuals do not come from noise.
+    constexpr double far_residuals = 10.;
 
     // The estimate's table reaches this many standard deviations, and at least this far in a logarithm.
     constexpr double standard_deviations = 6., least_half_width = 0.03;
     /// A step of the polish below this share of a standard deviation is none.
     constexpr double settled = 0.02;
+    /// Beside residuals that are larger than the stated sigma, a longer step is none either, if it gains nothing.
+    constexpr double settled_cosine = 1e-3;
 
     /// What was computed before.
     class KnownDisplacements : public DisplacementSource
@@ -44,6 +48,10 @@ namespace swimtwin
   void LocalFit::converge()
   {
     describe();
+    if (size_of_residuals() > far_residuals)
+      converge_by_runs();
+    if (size_of_residuals() > far_residuals)
+      return;
     for (int round = 0; round < most_rounds; ++round)
     {
       input_.show("estimate", static_cast<double>(round) / most_rounds);
@@ -52,14 +60,31 @@ namespace swimtwin
       describe();
       const Eigen::VectorXd step = remaining_step();
       judge(step, settled);
-      if (!estimate_.polished && round == most_rounds - 1)
-        judge(step, settled * size_of_residuals());
       if (estimate_.polished)
         return;
       if (estimate_.local->covers(swimmer()))
         estimate_.unknowns += step;
       clip();
     }
+  }
+
+  /// Without a table, which reaches as far as the stated sigma lets an estimate lie: an outlier leads far beyond, and
+  /// beyond, a table goes on as a plane.
+  void LocalFit::converge_by_runs()
+  {
+    const auto source = exact_displacements(input_, information_tolerance, input_.n_threads);
+    for (int round = 0; round < most_rounds; ++round)
+    {
+      input_.show("estimate", static_cast<double>(round) / most_rounds);
+      settle(*source);
+      describe();
+      make_local_table();
+      const double longest = estimate_.kkt_residual < settled_cosine ? settled * size_of_residuals() : settled;
+      judge(remaining_step(), longest);
+      if (estimate_.polished)
+        break;
+    }
+    estimate_.n_runs += source->n_runs();
   }
 
   void LocalFit::converge_on_table()
@@ -112,16 +137,20 @@ namespace swimtwin
                                        search_options(input_.problem));
     if (estimate_.refined.is_feasible())
       estimate_.unknowns.head(input_.map.size()) = estimate_.refined.x;
+    settle(*estimate_.local);
+  }
+
+  /// Least squares by displacements of `source`.
+  void LocalFit::settle(DisplacementSource &source)
+  {
     const FreeParameter *noise = free_noise_scale(input_.problem);
     for (int round = 0; round < (noise != nullptr ? 4 : 1); ++round)
     {
       const Misfit joint = misfit_of(input_, estimate_);
-      estimate_.unknowns =
-          solve_least_squares(least_squares_problem(joint, *estimate_.local), estimate_.unknowns).unknowns;
+      estimate_.unknowns = solve_least_squares(least_squares_problem(joint, source), estimate_.unknowns).unknowns;
       if (noise != nullptr)
-        estimate_.noise_scale =
-            noise_scale_estimate(joint, estimate_.unknowns, joint.predict(*estimate_.local, estimate_.unknowns, true),
-                                 noise->lower, noise->upper);
+        estimate_.noise_scale = noise_scale_estimate(
+            joint, estimate_.unknowns, joint.predict(source, estimate_.unknowns, true), noise->lower, noise->upper);
     }
   }
 

@@ -29,6 +29,8 @@ namespace swimtwin
     GroupBox local_box() const;
     void     make_local_table();
     void     polish(const Eigen::VectorXd &start);
+    void     settle(DisplacementSource &source);
+    void     converge_by_runs();
     void     describe(const Displacements &displacements);
     void     set_kkt_residual();
     void     judge(const Eigen::VectorXd &step, double share);

@@ -8,10 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <numeric>
-#include <sstream>
 
 namespace swimtwin
 {
@@ -42,21 +39,6 @@ namespace swimtwin
           return "separate the rows like the header";
       return "give one value per column";
     }
-
-    DecimalMark decimal_mark(const MarkEvidence &column, const MarkEvidence &table, const char separator)
-    {
-      if (table.n_commas + table.n_comma_groups == 0)
-        return DecimalMark::point;
-      const bool has_points = column.n_points + column.n_point_groups > 0;
-      if (column.n_commas + column.n_comma_groups > 0)
-      {
-        // Among commas that separate columns, a quoted one is decimal only if no number of the table has a point.
-        const bool certain = column.n_commas > 0 || table.n_commas > 0;
-        const bool foreign = table.n_points > 0 && (separator == ',' || column.n_commas == 0);
-        return certain && !foreign && !has_points ? DecimalMark::comma : DecimalMark::uncertain;
-      }
-      return has_points && column.n_points == 0 && table.n_commas > 0 ? DecimalMark::uncertain : DecimalMark::point;
-    }
   } // namespace
 
   std::string and_others(const std::vector<std::size_t> &lines)
@@ -83,9 +65,7 @@ namespace swimtwin
   {
     CsvTable          table;
     const std::string bytes = read_content(file, "the table");
-    refuse_foreign_format(file, bytes);
-    if (const auto other = foreign_content(bytes))
-      refuse_file(file, "the table", *other);
+    refuse_foreign_table(file, bytes);
     table.file_              = file.string();
     const DelimitedText text = split_rows(decoded_text(bytes, file), table.file_);
     if (text.rows.empty())
@@ -173,7 +153,7 @@ namespace swimtwin
     for (const MarkEvidence &column : columns)
       all += column;
     for (const MarkEvidence &column : columns)
-      marks_.push_back(decimal_mark(column, all, separator));
+      marks_.push_back(find_decimal_mark(column, all, separator == ','));
   }
 
   std::optional<std::size_t> CsvTable::find_column(const std::string &name) const

@@ -1,4 +1,4 @@
-// What a file is when it is no text, and how to make text of it.
+// What stands in the place of a table, and how to make a table of it.
 #pragma once
 
 #include <filesystem>
@@ -6,7 +6,7 @@
 
 namespace swimtwin
 {
-  /// Throw InputError that says what the file is and how to export a table from it, if its first bytes are those of
-  /// XML, a workbook, HDF5, an archive, a picture or the like, or a Git LFS pointer.
-  void refuse_foreign_format(const std::filesystem::path &file, std::string_view bytes);
+  /// Throws InputError that says what a content is and how to export a table from it: workbooks, XML of trackers, HDF5,
+  /// other data formats, pictures, and what no text may be (datasets/input_file.h, foreign_content).
+  void refuse_foreign_table(const std::filesystem::path &file, std::string_view content);
 } // namespace swimtwin

@@ -85,6 +85,20 @@ namespace swimtwin
     return *this;
   }
 
+  DecimalMark find_decimal_mark(const MarkEvidence &column, const MarkEvidence &table, const bool commas_separate)
+  {
+    if (table.n_commas + table.n_comma_groups == 0)
+      return DecimalMark::point;
+    const bool has_points = column.n_points + column.n_point_groups > 0;
+    if (column.n_commas + column.n_comma_groups > 0)
+    {
+      const bool certain = column.n_commas > 0 || table.n_commas > 0;
+      const bool foreign = table.n_points > 0 && (commas_separate || column.n_commas == 0);
+      return certain && !foreign && !has_points ? DecimalMark::comma : DecimalMark::uncertain;
+    }
+    return has_points && column.n_points == 0 && table.n_commas > 0 ? DecimalMark::uncertain : DecimalMark::point;
+  }
+
   std::optional<double> parse_number(const std::string_view cell, const DecimalMark mark)
   {
     const bool has_point = cell.find('.') != std::string_view::npos,

@@ -26,6 +26,10 @@ namespace swimtwin
     MarkEvidence &operator+=(const MarkEvidence &other);
   };
 
+  /// The mark of a column. Where commas separate the columns, a quoted comma is decimal only if no number of the table
+  /// has a point.
+  DecimalMark find_decimal_mark(const MarkEvidence &column, const MarkEvidence &table, bool commas_separate);
+
   /// The finite number of a cell; none where there is none, or where it is not certain.
   std::optional<double> parse_number(std::string_view cell, DecimalMark mark);
 

@@ -1,6 +1,5 @@
 #include <datasets/data_problems.h>
 #include <datasets/deeplabcut_table.h>
-#include <datasets/input_file.h>
 #include <datasets/observation_curve.h>
 #include <datasets/observation_files.h>
 #include <datasets/observation_names.h>
@@ -123,6 +122,27 @@ namespace swimtwin
           table.string(), toml.string()));
     }
 
+    /// The table, or without one the recordings of the sidecar.
+    void read_what_was_seen(const std::filesystem::path &table, ObservationSidecar &sidecar, ObservationSet &set,
+                            DataProblems &problems)
+    {
+      const bool has_camera = sidecar.camera.has_value();
+      sidecar.camera        = sidecar.camera.value_or(Camera());
+      if (!table.empty())
+        problems.attempt([&] { read_table_of_set(table, sidecar, set, problems); });
+      else
+      {
+        refuse_copies(sidecar.recordings, problems);
+        for (const Recording &recording : sidecar.recordings)
+          problems.attempt([&] { read_recording(recording, sidecar, set, problems); });
+      }
+      if (set.quantity == ObservedQuantity::positions)
+        order_tracked_points(set, problems);
+      else if (has_camera && !table.empty())
+        problems.warning(
+            fmt::format("{}: [camera] is not used; {} holds no track.", sidecar.file.string(), table.string()));
+    }
+
     ObservationSet read_set(const std::filesystem::path &named, DataProblems &problems)
     {
       ObservationSet              set;
@@ -142,18 +162,7 @@ namespace swimtwin
       set.name                          = named.stem().string();
       set.file                          = table.empty() ? toml : table;
       describe(sidecar, set);
-      const bool has_camera = sidecar.camera.has_value();
-      sidecar.camera        = sidecar.camera.value_or(Camera());
-      if (!table.empty())
-        problems.attempt([&] { read_table_of_set(table, sidecar, set, problems); });
-      else
-        refuse_copies(sidecar.recordings, problems);
-      for (const Recording &recording : table.empty() ? sidecar.recordings : std::vector<Recording>())
-        problems.attempt([&] { read_recording(recording, sidecar, set, problems); });
-      if (set.quantity == ObservedQuantity::positions)
-        order_tracked_points(set, problems);
-      else if (has_camera && !table.empty())
-        problems.warning(fmt::format("{}: [camera] is not used; {} holds no track.", toml.string(), table.string()));
+      read_what_was_seen(table, sidecar, set, problems);
       warn_of_sizes(set, problems);
       return set;
     }

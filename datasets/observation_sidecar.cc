@@ -15,7 +15,7 @@ namespace swimtwin
   {
     constexpr Range above_freezing{-50., 150., false, false, "lie between -50 and 150"};
 
-    constexpr Range fraction{0., 1., false, false, "lie between 0 and 1"};
+    constexpr Range likelihood_range{0., 1., false, false, "lie between 0 and 1"};
 
     void note_all(const TomlTable &table, DataProblems &problems)
     {
@@ -143,7 +143,7 @@ namespace swimtwin
       table.number("frame_s", {"s", positive}, camera.frame_s);
       read_unit(table, "length_unit", "m", true, camera.length_unit);
       read_unit(table, "time_unit", "s", false, camera.time_unit);
-      table.number("least_likelihood", {"", fraction}, camera.least_likelihood);
+      table.number("least_likelihood", {"", likelihood_range}, camera.least_likelihood);
       table.number("period_start_s", {"s", any_number}, camera.period_start_s);
       table.integer("skipped_periods", {"", not_negative}, camera.skipped_periods);
       note_all(table, problems);

@@ -1,4 +1,3 @@
-#include <datasets/csv_table.h>
 #include <datasets/error.h>
 #include <datasets/input_file.h>
 #include <datasets/text_decoding.h>

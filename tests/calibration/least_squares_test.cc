@@ -42,6 +42,23 @@ namespace swimtwin
     EXPECT_NEAR(solution.unknowns[1], 0.25, 1e-5);
   }
 
+  TEST(LeastSquares, LargeResidualsDoNotPushTheOthersAlongABound)
+  {
+    LeastSquaresProblem problem;
+    problem.n_rows   = 2;
+    problem.lower    = Eigen::Vector2d(-1., -1.);
+    problem.upper    = Eigen::Vector2d(1., 1.);
+    problem.evaluate = [](const Eigen::VectorXd &u, Eigen::VectorXd &rows, Eigen::MatrixXd &by_unknowns) {
+      rows = Eigen::Vector2d(1e6 * (u[0] - 2.), 1e3 * (u[1] - 0.5 - 10. * (u[0] - 1.))); // the first wants to be 2
+      by_unknowns.resize(2, 2);
+      by_unknowns << 1e6, 0., -1e4, 1e3;
+      return true;
+    };
+    const auto solution = solve_least_squares(problem, Eigen::Vector2d(0., 0.));
+    EXPECT_EQ(solution.unknowns[0], 1.);
+    EXPECT_NEAR(solution.unknowns[1], 0.5, 1e-9);
+  }
+
   TEST(LeastSquares, KeepsWhatIsHeld)
   {
     const auto solution = solve_least_squares(valley(10.), Eigen::Vector2d(0.3, 7.), {0});

@@ -145,16 +145,18 @@ namespace swimtwin
 
   TEST(CsvTable, RefusesOtherFormatsByWhatTheyAre)
   {
-    expect_in(refusal_of_table("PK\x03\x04zip"), "t.csv: this is a zip container, such as a workbook of Excel (.xlsx)");
-    expect_in(refusal_of_table("\xD0\xCF\x11\xE0\xA1"), "a binary workbook of Excel (.xls)");
+    expect_in(refusal_of_table("PK\x03\x04zip"), "t.csv: it is a ZIP archive, such as a workbook of Excel (.xlsx)");
+    expect_in(refusal_of_table("\xD0\xCF\x11\xE0\xA1"),
+              "a workbook of Excel (.xls); open it and save the sheet as CSV");
     expect_in(refusal_of_table("\x89HDF\r\n\x1A\n"), "pandas.read_hdf");
-    expect_in(refusal_of_table("<?xml version=\"1.0\"?>\n<TrackMate version=\"7\">"),
-              "this is XML of TrackMate, no table as text; open it");
-    expect_in(refusal_of_table("\xEF\xBB\xBF<?xml version=\"1.0\"?>\n<Workbook>"),
-              "this is XML, no table as text; export");
+    expect_in(refusal_of_table("<?xml version=\"1.0\"?>\n<TrackMate version=\"7\">"), "it is TrackMate's XML; open it");
+    expect_in(refusal_of_table("\xEF\xBB\xBF<?xml version=\"1.0\"?>\n<Workbook>"), "a workbook of Excel (XML)");
+    expect_in(refusal_of_table("<?xml version=\"1.0\"?>\n<Error>"), "an XML document");
+    expect_in(refusal_of_table("<root>"), "it is XML; export the table as CSV");
     expect_in(refusal_of_table("<!DOCTYPE html>"), "a web page");
     expect_in(refusal_of_table("{\"a\": 1}"), "JSON");
     expect_in(refusal_of_table("version https://git-lfs.github.com/spec/v1\n"), "git lfs pull");
+    expect_in(refusal_of_table("\x1F\x8B"), "unpack it first");
     expect_in(refusal_of_table(""), "the file is empty");
     expect_in(refusal_of_table("\n,,\n# nothing\n"), "the file is empty");
   }
