@@ -4,6 +4,8 @@
 #include <fom/body/finer_mesh.h>
 #include <fom/mesh/inverted_element.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace swimtwin
@@ -30,6 +32,14 @@ namespace swimtwin
                          [](const auto &d) { return d.norm_square() == 0.; });
     }
 
+    /// Of a body in motion, whose surface is meshed already.
+    [[noreturn]] void say_remedy(const ComputationError &error, const Numerics &numerics)
+    {
+      if (dynamic_cast<const InvertedElement *>(&error) == nullptr)
+        throw ComputationError(error);
+      throw InvertedElement(fmt::format("{}; lower [numerics] mesh_size_m = {} m", error.what(), numerics.mesh_size_m));
+    }
+
     FluidMesh<2> make_mesh_or_advise(const Swimmer<2> &swimmer, const Configuration<2> &configuration,
                                      const bool by_halves, const MPI_Comm communicator)
     {
@@ -40,7 +50,7 @@ namespace swimtwin
       catch (const ComputationError &error)
       {
         if (!is_at_rest(swimmer, configuration))
-          throw;
+          say_remedy(error, swimmer.scene().numerics);
         refuse_mesh_size(swimmer.scene(), error, [&](const Scene &finer) {
           const Swimmer<2>   body(finer, communicator);
           const FluidMesh<2> mesh = make_mesh(body, body.configuration_at_rest(), by_halves, communicator);

@@ -154,7 +154,7 @@ namespace swimtwin
       message << "the body is " << distance << " m from a wall, and contact is not modelled; enlarge the domain, move "
               << "the head, lower the field, or end the run before";
     else if (outcome == StepOutcome::mesh_inverted && !why_no_mesh_.empty())
-      message << "a new one was not to be had, for " << why_no_mesh_ << "; " << remedy(outcome, scene_);
+      message << "a new one was not to be had, for " << why_no_mesh_ << ", or raise [time] steps_per_period";
     else
       message << remedy(outcome, scene_);
     throw ComputationError(message.str());

@@ -1,6 +1,7 @@
 #include <rom/training/flow_reconstruction.h>
 
 #include <datasets/error.h>
+#include <fom/body/mesh_around.h>
 #include <fom/resistance/motion_resistance.h>
 #include <fom/run/field_output.h>
 #include <rom/reconstruction.h>
@@ -44,11 +45,7 @@ namespace swimtwin
 
     FluidDomain<2> fluid_around(const Swimmer<2> &swimmer, const Configuration<2> &configuration)
     {
-      const Scene &scene = swimmer.scene();
-      return {scene,
-              make_fluid_mesh(*scene.domain, swimmer.surface(configuration), swimmer.surface_mesh_size(),
-                              configuration.pose, swimmer.pose_at_rest(), scene.numerics, MPI_COMM_SELF),
-              configuration.pose};
+      return {swimmer.scene(), mesh_whole_around(swimmer, configuration, MPI_COMM_SELF), configuration.pose};
     }
   } // namespace
 
