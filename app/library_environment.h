@@ -11,8 +11,9 @@ namespace swimtwin
   /// Rank that mpirun (or another launcher that speaks PMIx) gave this process; 0 without one.
   int launched_rank();
 
-  /// Take out of the environment what could break or change the libraries: options of PETSc, thread numbers, kernels of
-  /// the BLAS, debugging of HDF5. One thread per rank. HDF5_USE_FILE_LOCKING stays, which some file systems need.
+  /// Take out of the environment what could break or change the libraries: options of PETSc, thread numbers, debugging
+  /// of HDF5, kernels of the BLAS that this processor cannot run. One thread per rank. What a machine may need stays:
+  /// HDF5_USE_FILE_LOCKING, and kernels that it can run.
   void quiet_library_environment();
 
   /// The same for MPI, before it starts: a process that works alone needs no daemon, no ssh, no folder for temporary

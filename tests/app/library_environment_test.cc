@@ -19,13 +19,13 @@ namespace swimtwin
   TEST(LibraryEnvironment, KeepsNothingThatChangesLibraries)
   {
     for (const char *name : {"PETSC_OPTIONS", "PETSC_OPTIONS_YAML", "OMP_PROC_BIND", "GOMP_CPU_AFFINITY", "HDF5_DEBUG",
-                             "OPENBLAS_CORETYPE", "GMSH_HOME"})
+                             "OPENBLAS_VERBOSE", "GMSH_HOME"})
       setenv(name, "nonsense", 1);
     setenv("DEAL_II_NUM_THREADS", "many", 1);
     setenv("OMP_NUM_THREADS", "-3", 1);
     quiet_library_environment();
     for (const char *name : {"PETSC_OPTIONS", "PETSC_OPTIONS_YAML", "OMP_PROC_BIND", "GOMP_CPU_AFFINITY", "HDF5_DEBUG",
-                             "OPENBLAS_CORETYPE", "GMSH_HOME"})
+                             "OPENBLAS_VERBOSE", "GMSH_HOME"})
       EXPECT_EQ(std::getenv(name), nullptr) << name;
     EXPECT_EQ(value_of("DEAL_II_NUM_THREADS") + value_of("OMP_NUM_THREADS") + value_of("OPENBLAS_NUM_THREADS"), "111");
   }
@@ -36,6 +36,22 @@ namespace swimtwin
     quiet_library_environment();
     EXPECT_EQ(value_of("HDF5_USE_FILE_LOCKING"), "FALSE");
     unsetenv("HDF5_USE_FILE_LOCKING");
+  }
+
+  TEST(LibraryEnvironment, KeepsKernelsThatTheProcessorCanRun)
+  {
+    const auto is_kept = [](const char *kernels) {
+      setenv("OPENBLAS_CORETYPE", kernels, 1);
+      quiet_library_environment();
+      const bool kept = value_of("OPENBLAS_CORETYPE") == kernels;
+      unsetenv("OPENBLAS_CORETYPE");
+      return kept;
+    };
+    EXPECT_TRUE(is_kept("Core2"));
+#ifdef __x86_64__
+    EXPECT_EQ(is_kept("SkylakeX"), __builtin_cpu_supports("avx512f") != 0);
+    EXPECT_EQ(is_kept("Haswell"), __builtin_cpu_supports("avx2") != 0);
+#endif
   }
 
   TEST(LibraryEnvironment, RankIsWhatTheLauncherSays)
