@@ -12,5 +12,6 @@ namespace swimtwin
       if (::fcntl(stream, F_GETFD) == -1)
         ::open("/dev/null", O_RDWR); // takes the lowest free number, which is this one
     std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow any more (ulimit -f) then fails as on a full disk
   }
 } // namespace swimtwin

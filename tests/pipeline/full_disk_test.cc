@@ -1,4 +1,5 @@
 #include <tests/pipeline/simulation.h>
+#include <tests/places.h>
 
 #include <sys/mount.h>
 
@@ -96,5 +97,32 @@ namespace swimtwin
       arguments.push_back(word);
     expect_failure(run_tool(arguments), 1, {"resistance.json", "space"});
     EXPECT_EQ(content(disk.path() / "resistance.json"), "an earlier result");
+  }
+
+  // The other rank waits for the writer: it is told to end, after the sentence.
+  TEST(FullDisk, EndsTheRankThatKnowsNothingOfIt)
+  {
+    const SmallDisk disk("8k");
+    if (!disk.is_there)
+      GTEST_SKIP() << "no right to mount a small disk";
+    std::vector<std::string> words{
+        "timeout",         "120", "env", "OMPI_ALLOW_RUN_AS_ROOT=1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1", "mpirun",
+        "--oversubscribe", "-n",  "2"};
+    for (const auto &word : tool(simulate_arguments(run_with_checkpoint, disk.path())))
+      words.push_back(word);
+    const Outcome outcome = run(words);
+    EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+    EXPECT_EQ(outcome.err.find("swimtwin: cannot write"), 0) << outcome.err;
+    EXPECT_EQ(outcome.err.rfind("swimtwin: "), 0) << outcome.err;
+  }
+
+  TEST(FullDisk, AFileThatMayNotGrowIsLikeOne)
+  {
+    const TemporaryFolder folder;
+    std::string           line = "ulimit -f 4; exec " + std::string(places::tool);
+    for (const std::string &word : simulate_arguments(run_without_checkpoint, folder.path / "run"))
+      line += " " + word;
+    expect_failure(run({"bash", "-c", line}), 1, {(folder.path / "run").string()});
+    expect_no_results_in(folder.path / "run");
   }
 } // namespace swimtwin
