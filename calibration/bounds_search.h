@@ -12,17 +12,21 @@ namespace swimtwin
 {
   struct BoundsSearch : Multistart
   {
-    Eigen::MatrixXd starts;           ///< p x n, scaled
-    double          table_error = 0.; ///< of the table, see DisplacementTable; 0 if the search had none
-    long            n_runs      = 0;
+    Eigen::MatrixXd                    starts; ///< p x n, scaled
+    std::shared_ptr<DisplacementTable> table;  ///< of all bounds; null if a node of it cannot be computed
+    long                               n_runs = 0;
   };
 
-  /// From the problem's own start, or the nominal swimmer, and from points that fill the bounds. Without a table, if a
-  /// node of it cannot be computed, by exact displacements. Throws InputError if no start could be computed.
+  /// From the problem's own start, or the nominal swimmer, and from points that fill the bounds. Without a table by
+  /// exact displacements. Throws InputError if no start could be computed.
   BoundsSearch search_bounds(const FitInput &input, const ModelError &error);
+  /// On the table of an earlier search, with another error of the model.
+  BoundsSearch search_again(const FitInput &input, const ModelError &error, const BoundsSearch &earlier);
 
+  /// Whether two minima are one, found twice. `width` is that of the bounds.
+  bool are_same(const Eigen::VectorXd &a, const Eigen::VectorXd &b, const Eigen::VectorXd &width);
   /// Minima that may be the best one: those that are not the same one again, of about the best one's misfit, best
-  /// first, few. `width` is that of the bounds.
+  /// first, few.
   std::vector<Eigen::VectorXd> distinct_minima(const Multistart &search, const Eigen::VectorXd &width);
 
   /// Start by start, best first.

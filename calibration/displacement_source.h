@@ -31,4 +31,17 @@ namespace swimtwin
     virtual int                  n_conditions() const                                         = 0;
     virtual const Displacements &evaluate(const CalibratedSwimmer &swimmer, bool derivatives) = 0;
   };
+
+  /// What was computed before, for whatever swimmer is asked for.
+  class KnownDisplacements : public DisplacementSource
+  {
+  public:
+    /// `displacements` must live as long.
+    explicit KnownDisplacements(const Displacements &displacements) : displacements_(displacements) {}
+    int                  n_conditions() const override { return static_cast<int>(displacements_.value_m.size()); }
+    const Displacements &evaluate(const CalibratedSwimmer &, bool) override { return displacements_; }
+
+  private:
+    const Displacements &displacements_;
+  };
 } // namespace swimtwin

@@ -1,4 +1,5 @@
 #include <calibration/local_fit.h>
+#include <calibration/search_misfit.h>
 #include <rom/trust.h>
 
 #include <algorithm>
@@ -14,11 +15,12 @@ namespace swimtwin
       estimate.error = model_error(input.reduced.record, input.problem.model_error, input.data, growth);
     }
 
-    /// At a point, the components of the model's error at zero.
+    /// At a point, the components of the model's error at zero and the noise as stated.
     void start_at(const FitInput &input, const Eigen::VectorXd &x, Estimate &estimate)
     {
       estimate.unknowns.setZero(input.map.size() + estimate.error.n_components());
       estimate.unknowns.head(x.size()) = x;
+      estimate.noise_scale             = 1.;
     }
 
     Estimate begin(const FitInput &input)
@@ -29,20 +31,31 @@ namespace swimtwin
       return estimate;
     }
 
-    /// Every minimum of the search that may be the best one, followed to where it is on a table of its own.
-    Estimate refine(const FitInput &input, Estimate estimate)
+    /// Each of these minima followed by runs until they compare.
+    Estimate best_of(const FitInput &input, const std::vector<Eigen::VectorXd> &minima, Estimate estimate)
     {
-      const Eigen::VectorXd   width = input.map.upper() - input.map.lower();
       std::optional<Estimate> best;
-      for (const Eigen::VectorXd &x : distinct_minima(estimate.search, width))
+      for (const Eigen::VectorXd &x : minima)
       {
         start_at(input, x, estimate);
-        LocalFit(input, estimate).converge();
+        LocalFit(input, estimate).approach();
         if (!best || estimate.misfit < best->misfit)
           best = estimate;
         best->n_runs = estimate.n_runs;
       }
       return std::move(*best);
+    }
+
+    /// The best of these minima, on a table of its own.
+    Estimate refine(const FitInput &input, const std::vector<Eigen::VectorXd> &minima, Estimate estimate)
+    {
+      const double expected = estimate.search.minima[static_cast<std::size_t>(estimate.search.best)].objective;
+      if (minima.size() > 1 || size_of_residuals(input, expected) > far_residuals)
+        estimate = best_of(input, minima, std::move(estimate));
+      else
+        start_at(input, minima.front(), estimate);
+      LocalFit(input, estimate).converge();
+      return estimate;
     }
 
     /// How many times larger than in its held-out runs the model's own indicator is here, by observation, at least 1;
@@ -65,15 +78,41 @@ namespace swimtwin
       return (all - few.value_m).cwiseAbs().cwiseQuotient(usual * all.cwiseAbs()).cwiseMax(1.);
     }
 
-    /// The model's error is taken to grow with its indicator; that moves the estimate.
+    /// The minima of a search with another error of the model, the estimate before in the place of the one nearby.
+    std::vector<Eigen::VectorXd> minima_beside(const Eigen::VectorXd &x, const Multistart &search,
+                                               const Eigen::VectorXd &width)
+    {
+      std::vector<Eigen::VectorXd> minima{x};
+      for (const Eigen::VectorXd &other : distinct_minima(search, width))
+        if (!are_same(x, other, width))
+          minima.push_back(other);
+      return minima;
+    }
+
+    /// Least squares that an outlier leads to where the model was not trained: what that place is like says nothing of
+    /// the swimmer, and must not decide how much the other observations count.
+    bool is_led_astray(const FitInput &input, const Estimate &estimate)
+    {
+      return input.problem.loss == LossKind::least_squares && size_of_residuals(input, estimate.misfit) > far_residuals;
+    }
+
+    /// The model's error is taken to grow with its indicator; that moves the estimate, and may make another minimum the
+    /// best one.
     void admit_larger_model_error(const FitInput &input, Estimate &estimate)
     {
+      if (is_led_astray(input, estimate))
+        return;
       const Eigen::VectorXd growth = growth_of_model_error(input, estimate);
       if (growth.size() == 0 || growth.maxCoeff() <= 1.)
         return;
       set_model_error(input, growth, estimate);
-      estimate.unknowns.conservativeResizeLike(Eigen::VectorXd::Zero(input.map.size() + estimate.error.n_components()));
-      LocalFit(input, estimate).converge();
+      std::vector<Eigen::VectorXd> minima{estimate.x()};
+      if (estimate.search.table)
+      {
+        estimate.search = search_again(input, estimate.error, estimate.search);
+        minima          = minima_beside(estimate.x(), estimate.search, input.map.upper() - input.map.lower());
+      }
+      estimate = refine(input, minima, std::move(estimate));
     }
 
     /// Along what no data and no prior decide, to the point nearest the nominal swimmer: one answer, not any.
@@ -126,7 +165,8 @@ namespace swimtwin
     Estimate estimate = begin(input);
     estimate.search   = search_bounds(input, estimate.error);
     estimate.n_runs   = estimate.search.n_runs;
-    estimate          = refine(input, std::move(estimate));
+    const auto minima = distinct_minima(estimate.search, input.map.upper() - input.map.lower());
+    estimate          = refine(input, minima, std::move(estimate));
     admit_larger_model_error(input, estimate);
     slide_along_undecided(input, estimate);
     return estimate;

@@ -25,12 +25,12 @@ namespace swimtwin
     const Eigen::VectorXd factor = scale * (Eigen::VectorXd::Ones(motion.value_m.size()) + error_.factor * z);
     const Eigen::VectorXd scaled = motion.value_m.cwiseProduct(factor);
     prediction.value_m           = (scaled.array() + swimmer.displacement_offset_m).matrix();
+    prediction.by_error          = scale * motion.value_m.asDiagonal() * error_.factor;
     if (!derivatives)
       return prediction;
     Eigen::MatrixXd by_quantities(scaled.size(), static_cast<Eigen::Index>(n_recording_quantities));
     by_quantities << factor.asDiagonal() * motion.by_logarithm, scaled, scaled, Eigen::VectorXd::Ones(scaled.size());
-    prediction.by_x     = by_quantities * map_.slopes(x);
-    prediction.by_error = scale * motion.value_m.asDiagonal() * error_.factor;
+    prediction.by_x = by_quantities * map_.slopes(x);
     return prediction;
   }
 

@@ -55,7 +55,8 @@ namespace swimtwin
       EXPECT_TRUE((search.starts.col(i).array() <= setting.map.upper().array()).all());
     }
     EXPECT_GT(search.n_runs, 0);
-    EXPECT_LT(search.table_error, 1e-2);
+    ASSERT_NE(search.table, nullptr);
+    EXPECT_LT(search.table->interpolation_error(), 1e-2);
     EXPECT_LT((search.minima[static_cast<std::size_t>(search.best)].x - setting.truth()).cwiseAbs().maxCoeff(), 0.05);
   }
 

@@ -1,7 +1,10 @@
+#include <calibration/search_misfit.h>
 #include <datasets/error.h>
 #include <tests/calibration/synthetic_curve.h>
 
 #include <cmath>
+#include <limits>
+#include <map>
 
 namespace swimtwin
 {
@@ -10,6 +13,51 @@ namespace swimtwin
     double deviation(const Estimate &estimate, const int j)
     {
       return std::sqrt(estimate.information.covariance(j, j));
+    }
+
+    /// Bounds far beyond the truth, where displacements are rough and outliers lead.
+    CalibrationProblem far_bounds(const LossKind loss)
+    {
+      CalibrationProblem problem = two_ratios();
+      problem.free               = {free_parameter(FittedQuantity::young_modulus_over_viscosity, 2e4, 4e5),
+                                    free_parameter(FittedQuantity::magnetization_over_viscosity, 6e4, 3e5)};
+      problem.n_starts           = 4;
+      problem.loss               = loss;
+      return problem;
+    }
+
+    struct GridPoint
+    {
+      Eigen::VectorXd x;
+      Displacements   displacements;
+    };
+
+    /// Runs at n x n points of the bounds; they depend on the conditions alone, not on what was observed.
+    std::vector<GridPoint> runs_on_grid(const FitInput &input, const int n)
+    {
+      ExactDisplacements     exact(input.model, input.data.conditions, {.n_threads = 2, .by = {}});
+      const Eigen::VectorXd  lower = input.map.lower(), width = input.map.upper() - lower;
+      std::vector<GridPoint> grid;
+      for (int i = 0; i < n * n; ++i)
+      {
+        const Eigen::Array2d  share(i % n / (n - 1.), i / n / (n - 1.));
+        const Eigen::VectorXd x = lower + (share * width.array()).matrix();
+        grid.push_back({x, exact.evaluate(input.map.swimmer(x), false)});
+      }
+      return grid;
+    }
+
+    double least_misfit(const FitInput &input, const Estimate &estimate, const std::vector<GridPoint> &grid)
+    {
+      const Misfit       misfit = misfit_of(input, estimate);
+      const SearchMisfit search(misfit);
+      double             least = std::numeric_limits<double>::max();
+      for (const GridPoint &point : grid)
+      {
+        KnownDisplacements known(point.displacements);
+        least = std::min(least, misfit.rows(known, search.unknowns(point.displacements, point.x), false).misfit());
+      }
+      return least;
     }
   } // namespace
 
@@ -55,6 +103,31 @@ namespace swimtwin
     const Estimate        before = of_clean.estimate();
     const Eigen::VectorXd moved  = of_spoiled.estimate().x() - before.x();
     EXPECT_GT((before.information.whitened * moved).norm(), 1.); // least squares is moved by more
+  }
+
+  TEST(Fit, BesideOutliersNoRunOfAGridHasALowerMisfit)
+  {
+    struct Spoiled
+    {
+      std::map<std::size_t, double> factors; ///< by observation
+      LossKind                      loss  = LossKind::least_squares;
+      double                        error = 0.;
+    };
+    const ObservationSet         clean = noisy_curve(exact_curve(5, known_swimmer()), 1);
+    const std::vector<GridPoint> grid  = runs_on_grid(Setting(far_bounds(LossKind::least_squares), {clean}).input, 9);
+    for (const auto &[factors, loss, error] : {Spoiled{{{2, 10.}}, LossKind::least_squares, 0.008},
+                                               Spoiled{{{0, 8.}, {3, 0.1}}}, Spoiled{{{2, 10.}}, LossKind::huber}})
+    {
+      ObservationSet set = clean;
+      for (const auto &[i, factor] : factors)
+        set.points[i].displacement_m *= factor;
+      CalibrationProblem problem = far_bounds(loss);
+      problem.model_error        = error;
+      const Setting  setting(problem, {set});
+      const Estimate estimate = fit(setting.input);
+      EXPECT_TRUE(estimate.polished) << estimate.polish_step;
+      EXPECT_LE(estimate.misfit, least_misfit(setting.input, estimate, grid)) << factors.begin()->first;
+    }
   }
 
   TEST(Fit, TheModelsErrorMakesTheEstimateLessSureAndTakesUpACommonFactor)
