@@ -75,11 +75,6 @@ namespace swimtwin
     }
   } // namespace
 
-  std::vector<std::string> track_file_names()
-  {
-    return {track_table_name, track_summary_name, track_field_name, track_field_period_name, replay_table_name};
-  }
-
   void write_track_table(const std::filesystem::path &file, const TrackResult &result)
   {
     csv_table(columns(), result.instants).save(file);

@@ -13,11 +13,7 @@
 namespace swimtwin
 {
   inline constexpr const char *track_table_name = "track.csv", *track_summary_name = "track.json",
-                              *track_field_name = "field.csv", *track_field_period_name = "field.json",
-                              *replay_table_name = "replay.csv";
-
-  /// All that `track` writes beside pictures, to be refused or replaced.
-  std::vector<std::string> track_file_names();
+                              *track_field_name = "field.csv", *replay_table_name = "replay.csv";
 
   struct TrackRecord
   {
