@@ -26,6 +26,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -113,13 +114,26 @@ namespace swimtwin
       return text;
     }
 
+    /// Of the two searches at one bound, what did not converge.
+    std::string shortfall(const TradeOffPoint &point)
+    {
+      const std::string converged = "converged";
+      if (point.tuned_status == converged && point.optimal_status == converged)
+        return "";
+      return fmt::format("  (tuned: {}, optimal: {})", point.tuned_status, point.optimal_status);
+    }
+
     std::string trade_off_text(const PlanResult &plan)
     {
       std::string text;
       for (const TradeOffPoint &point : plan.trade_off)
-        text += fmt::format("  multiplier up to {:<6.3g} tuned {:>7.4g}, optimal {:>7.4g} um/s: gain {:.3g}\n",
+        text += fmt::format("  multiplier up to {:<6.3g} tuned {:>7.4g}, optimal {:>7.4g} um/s: gain {:.3g}{}\n",
                             point.largest_multiplier, 1e6 * point.tuned_speed_m_s, 1e6 * point.optimal_speed_m_s,
-                            point.optimal_speed_m_s / point.tuned_speed_m_s);
+                            point.optimal_speed_m_s / point.tuned_speed_m_s, shortfall(point));
+      const auto n_short = std::count_if(plan.trade_off.begin(), plan.trade_off.end(),
+                                         [](const TradeOffPoint &point) { return !shortfall(point).empty(); });
+      if (n_short > 0)
+        text += fmt::format("  {} of {} bounds have a search that did not converge\n", n_short, plan.trade_off.size());
       return text;
     }
 

@@ -34,6 +34,23 @@ namespace swimtwin
                                          p.name, p.value));
     }
 
+    /// Starts and bootstrap samples that are missing.
+    void warn_of_failures(const CalibrationResult &result, Warnings &warnings)
+    {
+      const auto n_starts = std::count_if(result.starts.begin(), result.starts.end(), [](const FitStart &start) {
+        return start.status == to_string(MinimumStatus::failed);
+      });
+      if (n_starts > 0)
+        warnings.push_back(fmt::format("{} of {} starts could not be computed: of their surroundings nothing is known; "
+                                       "the table of starts says which",
+                                       n_starts, result.starts.size()));
+      if (result.n_bootstrap_failures > 0)
+        warnings.push_back(fmt::format("{} of {} bootstrap samples could not be fitted: intervals and robust plans "
+                                       "rest on the others",
+                                       result.n_bootstrap_failures,
+                                       result.n_bootstrap_failures + result.bootstrap.rows()));
+    }
+
     /// Largest residual beside the others of its fit.
     constexpr double far = 5.;
 
@@ -122,6 +139,7 @@ namespace swimtwin
     warn_of_trust(result, warnings);
     warn_of_bounds(result, warnings);
     warn_of_scatter(input.problem, sets, result, warnings);
+    warn_of_failures(result, warnings);
     if (estimate.error.origin == "none" && !input.problem.model_error)
       warnings.push_back("the model has no held-out runs, so its own error is not known and counts as zero");
     return warnings;

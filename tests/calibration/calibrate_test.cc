@@ -1,3 +1,4 @@
+#include <calibration/calibration_warnings.h>
 #include <datasets/error.h>
 #include <optimization/search_method.h>
 #include <tests/calibration/synthetic_curve.h>
@@ -103,6 +104,20 @@ namespace swimtwin
                 0.1);
     for (const std::string &warning : unmoved.warnings)
       EXPECT_EQ(warning.find("the observation at"), std::string::npos) << warning;
+  }
+
+  TEST(Calibrate, CountsStartsAndSamplesThatFailed)
+  {
+    const Setting     setting(two_ratios(), {exact_curve(3, known_swimmer())});
+    CalibrationResult result;
+    result.starts.resize(4);
+    result.starts[1].status = to_string(MinimumStatus::failed);
+    result.bootstrap.resize(17, 2);
+    result.n_bootstrap_failures = 3;
+    const auto warnings         = calibration_warnings(setting.input, setting.sets, Estimate(), result);
+    ASSERT_EQ(warnings.size(), 2u);
+    expect_in(warnings[0], "1 of 4 starts could not be computed");
+    expect_in(warnings[1], "3 of 20 bootstrap samples could not be fitted");
   }
 
   TEST(Calibrate, TakesReplicatesEvenOfOneFrequency)
