@@ -1,5 +1,7 @@
 #include <datasets/dimensionless_groups.h>
 
+#include <datasets/inertia_terms.h>
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -23,12 +25,12 @@ namespace swimtwin
   std::string inertia_warning(const Scene &scene)
   {
     const double group = unsteady_group(scene);
-    if (group <= 1. || scene.fluid->inertia == Inertia::none)
+    if (group <= 1. || scene.fluid->inertia != Inertia::automatic || inertia_terms(scene).of_fluid())
       return {};
-    return fmt::format("the unsteady group is {:.3g}: fluid inertia is not small, and this version neglects it; lower "
-                       "[field] frequency_Hz or raise [fluid] viscosity_Pa_s to trust the result, or set inertia = "
-                       "\"none\" to neglect it knowingly",
-                       group);
+    return fmt::format(
+        "the unsteady group is {:.3g}: fluid inertia is not small, and this run neglects it; set [fluid] "
+        "inertia = \"full\" to keep it, or \"none\" to neglect it knowingly",
+        group);
   }
 
   double magnetic_group(const Scene &scene)

@@ -15,6 +15,8 @@ namespace swimtwin
     visit("external_J_m", v.external_J_m);
     visit("dissipated_J_m", v.dissipated_J_m);
     visit("stored_J_m", v.stored_J_m);
+    visit("outflow_J_m", v.outflow_J_m);
+    visit("numerical_J_m", v.numerical_J_m);
   }
 
   template <Like<RunSummary> Type, typename Visitor>

@@ -12,6 +12,12 @@ namespace swimtwin
     return shape == HeadShape::rectangle ? box : 0.25 * std::numbers::pi * box;
   }
 
+  double Head::polar_moment_m4() const
+  {
+    const double squares = size_m[0] * size_m[0] + size_m[1] * size_m[1];
+    return area_m2() * squares / (shape == HeadShape::rectangle ? 12. : 16.);
+  }
+
   bool Domain::has_traction_free_wall() const
   {
     return std::any_of(walls.begin(), walls.end(),

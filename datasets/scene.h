@@ -15,22 +15,35 @@ namespace swimtwin
 {
   enum class HeadShape { rectangle, disc, ellipse };
   enum class TipShape { rounded, flat };
-  enum class MaterialModel { st_venant_kirchhoff, neo_hookean };
+  enum class MaterialModel { st_venant_kirchhoff, neo_hookean, rigid };
   enum class DomainShape { box, channel, disc, annulus };
   enum class WallCondition { no_slip, traction_free, moving_wall, inflow };
   enum class InflowProfile { parabolic, uniform };
-  enum class Inertia { automatic, none, full };
+  enum class Inertia { automatic, none, full, chosen };
   enum class CouplingScheme { monolithic, fixed_point };
   enum class AccelerationMethod { aitken, iqn_ils };
   enum class SymmetricHalf { automatic, on, off };
   enum class MeshMotion { elastic, weighted_harmonic, harmonic };
 
-  /// Newtonian fluid.
+  /// Terms of inertia, one by one. The fluid's two belong together (docs/equations.md, section 12).
+  struct InertiaTerms
+  {
+    bool unsteady = false, convective = false; ///< of the fluid: rho du/dt (at a place) and rho u . grad u
+    bool tail = false, head = false;
+
+    bool        of_fluid() const { return unsteady || convective; }
+    bool        of_body() const { return tail || head; }
+    bool        any() const { return of_fluid() || of_body(); }
+    friend bool operator==(const InertiaTerms &, const InertiaTerms &) = default;
+  };
+
+  /// Newtonian fluid. `inertia` is that of the whole scene.
   struct FluidProperties
   {
-    double  density_kg_m3  = 0.;
-    double  viscosity_Pa_s = 0.;
-    Inertia inertia        = Inertia::automatic;
+    double       density_kg_m3  = 0.;
+    double       viscosity_Pa_s = 0.;
+    Inertia      inertia        = Inertia::automatic;
+    InertiaTerms chosen; ///< where inertia names its terms
   };
 
   /// Condition on one wall. `speed_m_s` is the mean inward normal speed of an inflow, or the tangential speed of a
@@ -75,6 +88,8 @@ namespace swimtwin
 
     /// Area (m^2) of the shape.
     double area_m2() const;
+    /// int r^2 dA (m^4) about the centre: times the density, the moment of inertia.
+    double polar_moment_m4() const;
   };
 
   /// Elastic tail along +x, clamped to the head; it starts at the head's surface. The length is measured on the axis,
@@ -88,6 +103,8 @@ namespace swimtwin
     MaterialModel law           = MaterialModel::st_venant_kirchhoff;
     double        young_modulus_Pa = 0., poisson_ratio = 0., density_kg_m3 = 0.;
     double        magnetization_A_m = 0.; ///< along the tail's +x in the reference configuration; energy -int B . (F M)
+    bool          is_rigid() const { return law == MaterialModel::rigid; } ///< moduli are then without meaning
+    bool          has_inertia_in_vacuum = false; ///< else it is in equilibrium at every instant
   };
 
   struct Gravity
@@ -102,6 +119,7 @@ namespace swimtwin
     double period_s         = 0.;
     double periods          = 1.;
     int    steps_per_period = 0;
+    bool   is_steady = false; ///< no time: loads and walls as they are in the end, and the flow and shape they lead to
 
     double time_step_s() const { return period_s / steps_per_period; }
     int    n_steps() const;

@@ -30,8 +30,10 @@ namespace swimtwin
   template <>
   struct Names<MaterialModel>
   {
-    static constexpr std::array<std::pair<std::string_view, MaterialModel>, 2> list{
-        {{"st-venant-kirchhoff", MaterialModel::st_venant_kirchhoff}, {"neo-hookean", MaterialModel::neo_hookean}}};
+    static constexpr std::array<std::pair<std::string_view, MaterialModel>, 3> list{
+        {{"st-venant-kirchhoff", MaterialModel::st_venant_kirchhoff},
+         {"neo-hookean", MaterialModel::neo_hookean},
+         {"rigid", MaterialModel::rigid}}};
   };
 
   template <>
@@ -66,6 +68,13 @@ namespace swimtwin
     static constexpr std::array<std::pair<std::string_view, Inertia>, 3> list{
         {{"auto", Inertia::automatic}, {"none", Inertia::none}, {"full", Inertia::full}}};
   };
+
+  /// Terms of inertia as [fluid] inertia lists them.
+  inline constexpr std::array<std::pair<std::string_view, bool InertiaTerms::*>, 4> inertia_term_names{
+      {{"unsteady", &InertiaTerms::unsteady},
+       {"convective", &InertiaTerms::convective},
+       {"tail", &InertiaTerms::tail},
+       {"head", &InertiaTerms::head}}};
 
   template <>
   struct Names<CouplingScheme>

@@ -50,13 +50,27 @@ namespace swimtwin
       return dimension;
     }
 
+    /// A word for all terms, or a list of them.
+    void read_inertia(TomlTable &table, FluidProperties &fluid)
+    {
+      if (!table.is_array("inertia"))
+        return read_choice(table, "inertia", fluid.inertia);
+      fluid.inertia = Inertia::chosen;
+      std::vector<std::string> known, chosen;
+      for (const auto &[name, term] : inertia_term_names)
+        known.emplace_back(name);
+      table.words("inertia", Need::optional, known, chosen);
+      for (const auto &[name, term] : inertia_term_names)
+        fluid.chosen.*term = std::find(chosen.begin(), chosen.end(), name) != chosen.end();
+    }
+
     std::optional<FluidProperties> read_fluid(const TomlDocument &document)
     {
       TomlTable       table(document, "fluid");
       FluidProperties fluid;
       table.number("density_kg_m3", required("kg/m^3"), fluid.density_kg_m3);
       table.number("viscosity_Pa_s", required("Pa s"), fluid.viscosity_Pa_s);
-      read_choice(table, "inertia", fluid.inertia);
+      read_inertia(table, fluid);
       table.finish();
       return table.present() ? std::optional(fluid) : std::nullopt;
     }
@@ -156,10 +170,14 @@ namespace swimtwin
       table.number("tip_height_m", required("m"), tail.tip_height_m);
       read_choice(table, "tip", tail.tip);
       read_choice(table, "law", tail.law);
-      table.number("young_modulus_Pa", required("Pa"), tail.young_modulus_Pa);
-      table.number("poisson_ratio", required("", poisson_range), tail.poisson_ratio);
+      const Need moduli = tail.is_rigid() ? Need::optional : Need::required;
+      table.number("young_modulus_Pa", {"Pa", positive, moduli}, tail.young_modulus_Pa);
+      table.number("poisson_ratio", {"", poisson_range, moduli}, tail.poisson_ratio);
       table.number("density_kg_m3", required("kg/m^3"), tail.density_kg_m3);
       table.number("magnetization_A_m", optional("A/m", any_number), tail.magnetization_A_m);
+      Inertia in_vacuum = Inertia::none;
+      read_choice(table, "inertia", in_vacuum);
+      tail.has_inertia_in_vacuum = in_vacuum == Inertia::full;
       table.finish();
       return table.present() ? std::optional(tail) : std::nullopt;
     }
@@ -241,8 +259,11 @@ namespace swimtwin
       table.integer("steps_per_period", optional("", at_least_one), time.steps_per_period);
       table.number("duration_s", optional("s"), duration_s);
       table.integer("steps", optional("", at_least_one), steps);
+      table.flag("steady", time.is_steady);
       table.finish();
-      check_time_entries(document, field_period_s > 0.);
+      check_time_entries(document, field_period_s > 0., time.is_steady);
+      if (time.is_steady)
+        return {.period_s = 1., .periods = 1., .steps_per_period = 1, .is_steady = true};
       if (field_period_s > 0.)
         time.period_s = field_period_s;
       else
@@ -300,6 +321,15 @@ namespace swimtwin
       return numerics;
     }
 
+    /// Loads and walls of a steady scene are what they are after all ramps.
+    void end_ramps(Scene &scene)
+    {
+      scene.gravity.ramp_s = 0.;
+      if (scene.domain)
+        for (auto &[name, wall] : scene.domain->walls)
+          wall.ramp_s = 0.;
+    }
+
     OutputSettings read_output(const TomlDocument &document)
     {
       TomlTable      table(document, "output");
@@ -330,6 +360,8 @@ namespace swimtwin
     scene.time     = read_time(document, scene.field.period_s());
     scene.numerics = read_numerics(document, scene);
     scene.output   = read_output(document);
+    if (scene.time.is_steady)
+      end_ramps(scene);
     check_scene(document, scene);
     scene.text = document.text();
     scene.hash = digest(scene.text);

@@ -1,3 +1,4 @@
+#include <datasets/inertia_terms.h>
 #include <datasets/mirror_plane.h>
 #include <datasets/scene_names.h>
 #include <datasets/scene_rules.h>
@@ -81,10 +82,25 @@ namespace swimtwin
         need_entry(document, "head", "density_kg_m3", "a free head needs it, in kg/m^3");
     }
 
-    void check_availability(const TomlDocument &document, const Scene &scene)
+    void check_inertia(const TomlDocument &document, const Scene &scene)
     {
-      if (scene.fluid && scene.fluid->inertia == Inertia::full)
-        document.refuse("fluid", "inertia", "is not available yet; use \"auto\" or \"none\".");
+      if (scene.fluid)
+        refuse_entry(document, "tail", "inertia", "is for a tail without [fluid]; write [fluid] inertia instead.");
+      if (scene.numerics.coupling == CouplingScheme::fixed_point && scene.tail && inertia_terms(scene).any())
+        document.refuse(
+            "numerics", "coupling",
+            "cannot be \"fixed-point\" with inertia: where the fluid is as heavy as the body that iteration "
+            "does not converge; use \"monolithic\", or [fluid] inertia = \"none\".");
+    }
+
+    void check_steady(const TomlDocument &document, const Scene &scene)
+    {
+      if (!scene.time.is_steady)
+        return;
+      if (!scene.head.fixed)
+        document.refuse("time", "steady", "is for a head that is fixed; set [head] motion = \"fixed\", or remove it.");
+      if (scene.field.waveform() != FieldProgram::Waveform::none)
+        document.refuse("time", "steady", "does not go with a [field], which changes in time; remove one of them.");
     }
 
     void check_coupling(const TomlDocument &document, const Scene &scene)
@@ -289,8 +305,14 @@ namespace swimtwin
                       "leave [field] out.");
   }
 
-  void check_time_entries(const TomlDocument &document, const bool field_is_periodic)
+  void check_time_entries(const TomlDocument &document, const bool field_is_periodic, const bool is_steady)
   {
+    if (is_steady)
+    {
+      for (const char *key : {"duration_s", "steps", "periods", "steps_per_period"})
+        refuse_entry(document, "time", key, "does not go with steady = true; remove one of them.");
+      return;
+    }
     const std::string reason = field_is_periodic
                                    ? "does not go with a periodic field; give periods and steps_per_period."
                                    : "needs a periodic field; give duration_s and steps.";
@@ -309,7 +331,8 @@ namespace swimtwin
   void check_scene(const TomlDocument &document, const Scene &scene)
   {
     check_parts(document, scene);
-    check_availability(document, scene);
+    check_inertia(document, scene);
+    check_steady(document, scene);
     if (scene.tail)
       check_tail(document, scene.head, *scene.tail);
     if (scene.domain)

@@ -13,7 +13,7 @@ namespace swimtwin
   /// The entries of [field] belong to its waveform.
   void check_field_entries(const TomlDocument &document);
   /// [time] counts periods when the field has one, and seconds when it has none.
-  void check_time_entries(const TomlDocument &document, bool field_is_periodic);
+  void check_time_entries(const TomlDocument &document, bool field_is_periodic, bool is_steady);
   /// Every rule on the complete scene: physics, walls, geometry, time steps, mesh sizes.
   void check_scene(const TomlDocument &document, const Scene &scene);
 } // namespace swimtwin

@@ -184,6 +184,31 @@ namespace swimtwin
       target = words[*index];
   }
 
+  void TomlTable::words(const std::string &key, const Need need, const std::vector<std::string> &words,
+                        std::vector<std::string> &target)
+  {
+    const std::string expected = fmt::format("an array of some of {}", join_words(words));
+    const toml::node *node     = entry(key, need, expected);
+    if (node == nullptr)
+      return;
+    const toml::array *array = node->as_array();
+    if (array == nullptr)
+      return wrong_type(key, expected);
+    target.clear();
+    for (const toml::node &element : *array)
+    {
+      const auto value = element.value<std::string>();
+      if (!value || !element.is_string())
+        return wrong_type(key, expected);
+      if (std::find(words.begin(), words.end(), *value) == words.end())
+        return note(key, fmt::format("names \"{}\", which is not known; the nearest is \"{}\" ({}).", *value,
+                                     nearest_name(*value, words), expected));
+      if (std::find(target.begin(), target.end(), *value) != target.end())
+        return note(key, fmt::format("names \"{}\" twice; name it once.", *value));
+      target.push_back(*value);
+    }
+  }
+
   std::optional<std::size_t> TomlTable::choose(const std::string &key, const Need need,
                                                const std::vector<std::string> &words)
   {

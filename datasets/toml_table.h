@@ -74,6 +74,12 @@ namespace swimtwin
     /// One of `words`.
     void word(const std::string &key, Need need, const std::vector<std::string> &words, std::string &target);
 
+    /// An array, perhaps empty, of some of `words`, each once.
+    void words(const std::string &key, Need need, const std::vector<std::string> &words,
+               std::vector<std::string> &target);
+    /// Whether the entry is there and is an array.
+    bool is_array(const std::string &key) const { return has(key) && table_->get(key)->is_array(); }
+
     /// A problem of our own with an entry: a sentence that follows `key = value`.
     void note(const std::string &key, const std::string &problem);
 

@@ -20,7 +20,7 @@ namespace swimtwin
       std::variant<double TrajectoryRow::*, int TrajectoryRow::*, bool TrajectoryRow::*> member;
     };
 
-    const std::array<Column, 19> columns{{
+    const std::array<Column, 25> columns{{
         {"time_s", &TrajectoryRow::time_s},
         {"head_x_m", &TrajectoryRow::head_x_m},
         {"head_y_m", &TrajectoryRow::head_y_m},
@@ -34,9 +34,15 @@ namespace swimtwin
         {"external_power_W_m", &TrajectoryRow::external_power_W_m},
         {"dissipation_W_m", &TrajectoryRow::dissipation_W_m},
         {"elastic_energy_J_m", &TrajectoryRow::elastic_energy_J_m},
+        {"kinetic_energy_J_m", &TrajectoryRow::kinetic_energy_J_m},
+        {"kinetic_outflow_W_m", &TrajectoryRow::kinetic_outflow_W_m},
+        {"kinetic_growth_W_m", &TrajectoryRow::kinetic_growth_W_m},
         {"head_force_x_N_m", &TrajectoryRow::head_force_x_N_m},
         {"head_force_y_N_m", &TrajectoryRow::head_force_y_N_m},
         {"head_torque_N", &TrajectoryRow::head_torque_N},
+        {"fluid_force_x_N_m", &TrajectoryRow::fluid_force_x_N_m},
+        {"fluid_force_y_N_m", &TrajectoryRow::fluid_force_y_N_m},
+        {"fluid_torque_N", &TrajectoryRow::fluid_torque_N},
         {"coupling_iterations", &TrajectoryRow::coupling_iterations},
         {"n_unknowns", &TrajectoryRow::n_unknowns},
         {"remeshed", &TrajectoryRow::remeshed},

@@ -16,12 +16,18 @@ namespace swimtwin
     double head_x_m = 0., head_y_m = 0., head_angle_rad = 0.;
     double tail_tip_x_m = 0., tail_tip_y_m = 0., tail_angle_rad = 0.;
     double bx_T = 0., by_T = 0.;
-    double magnetic_power_W_m = 0.; ///< power of the magnetic field on head and tail
-    double external_power_W_m = 0.; ///< power of gravity, of moving walls and of inflows
-    double dissipation_W_m    = 0.; ///< viscous
-    double elastic_energy_J_m = 0.; ///< of the tail
+    double magnetic_power_W_m  = 0.; ///< power of the magnetic field on head and tail
+    double external_power_W_m  = 0.; ///< power of gravity, of moving walls and of inflows
+    double dissipation_W_m     = 0.; ///< viscous
+    double elastic_energy_J_m  = 0.; ///< of the tail
+    double kinetic_energy_J_m  = 0.; ///< of fluid and body, as far as the run has inertia
+    double kinetic_outflow_W_m = 0.; ///< kinetic energy that leaves the domain with the fluid
+    double kinetic_growth_W_m =
+        0.; ///< power on inertia in the time step; what of it is not stored is numerical dissipation
     double head_force_x_N_m = 0., head_force_y_N_m = 0.,
            head_torque_N     = 0.; ///< that hold a fixed head in place; else 0
+    double fluid_force_x_N_m = 0., fluid_force_y_N_m = 0.,
+           fluid_torque_N    = 0.; ///< of the fluid on the body, about the head's centre
     int  coupling_iterations = 0;
     int  n_unknowns          = 0;
     bool remeshed            = false; ///< the step to this instant made a new fluid mesh
@@ -37,9 +43,11 @@ namespace swimtwin
   struct WorkBalance
   {
     double magnetic_J_m = 0., external_J_m = 0., dissipated_J_m = 0.;
-    double stored_J_m = 0.; ///< gain of elastic energy
+    double stored_J_m    = 0.; ///< gain of elastic and kinetic energy
+    double outflow_J_m   = 0.; ///< kinetic energy that left with the fluid
+    double numerical_J_m = 0.; ///< that the time steps took from inertia: it is part of what is missing
 
-    double missing_J_m() const { return magnetic_J_m + external_J_m - dissipated_J_m - stored_J_m; }
+    double missing_J_m() const { return magnetic_J_m + external_J_m - dissipated_J_m - outflow_J_m - stored_J_m; }
     /// What it is compared with: the magnetic work, or the dissipation where the field does none (below round-off of
     /// the dissipation). Zero: there is nothing to balance.
     double                scale_J_m() const;

@@ -32,6 +32,10 @@ namespace swimtwin
     WorkBalance balance;
     for (std::size_t i = 1; i < rows.size(); ++i)
     {
+      const TrajectoryRow &a = rows[i - 1], &b = rows[i];
+      const double         half_step_s = 0.5 * (b.time_s - a.time_s);
+      balance.outflow_J_m += half_step_s * (b.kinetic_outflow_W_m + a.kinetic_outflow_W_m);
+      balance.numerical_J_m += half_step_s * (b.kinetic_growth_W_m + a.kinetic_growth_W_m);
       if (i <= first_intervals.size())
       {
         const IntervalWork &work = first_intervals[i - 1];
@@ -40,13 +44,13 @@ namespace swimtwin
         balance.dissipated_J_m += work.dissipated_J_m;
         continue;
       }
-      const TrajectoryRow &a = rows[i - 1], &b = rows[i];
-      const double         half_step_s = 0.5 * (b.time_s - a.time_s);
       balance.magnetic_J_m += half_step_s * (b.magnetic_power_W_m + a.magnetic_power_W_m);
       balance.external_J_m += half_step_s * (b.external_power_W_m + a.external_power_W_m);
       balance.dissipated_J_m += half_step_s * (b.dissipation_W_m + a.dissipation_W_m);
     }
-    balance.stored_J_m = rows.back().elastic_energy_J_m - rows.front().elastic_energy_J_m;
+    const double kinetic_J_m = rows.back().kinetic_energy_J_m - rows.front().kinetic_energy_J_m;
+    balance.stored_J_m       = rows.back().elastic_energy_J_m - rows.front().elastic_energy_J_m + kinetic_J_m;
+    balance.numerical_J_m -= kinetic_J_m;
     return balance;
   }
 

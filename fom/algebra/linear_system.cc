@@ -119,11 +119,12 @@ namespace swimtwin
     use_factors(ksp_, options_.positive_definite ? PCCHOLESKY : PCLU);
   }
 
-  void LinearSystem::set_matrix(const std::vector<double> &values)
+  void LinearSystem::set_matrix(const std::vector<double> &values, const bool is_symmetric)
   {
     const ScopedCpuTime time(counts_.assembly_cpu_s);
     check_petsc(MatSetValuesCOO(matrix_, values.data(), INSERT_VALUES), "filled a matrix");
-    factors_are_old_ = true;
+    factors_are_old_     = true;
+    matrix_is_symmetric_ = is_symmetric;
   }
 
   void LinearSystem::set_right_hand_side(const std::vector<double> &contributions)
@@ -273,7 +274,9 @@ namespace swimtwin
       converged = refine();
     else if (has_factors_ && options_.reuse_factorization && !factors_are_worn_)
       converged = iterate_with_old_factors(solution);
-    if (!converged && options_.symmetric)
+    if (!converged && options_.symmetric && !matrix_is_symmetric_)
+      use_factors(ksp_, PCLU);
+    else if (!converged && options_.symmetric)
     {
       // Half the work; where pivots fail it, what follows takes the whole matrix.
       use_symmetric_factors(ksp_);

@@ -22,7 +22,7 @@ namespace swimtwin
     int    max_stale_iterations = 12;   ///< give up on old factors after so many GMRES iterations and factorise anew
     int  factorization_effort = 8; ///< of a factorisation in GMRES iterations: 7 to 8 measured in 2D at 17,000 unknowns
     bool positive_definite    = false; ///< Cholesky instead of LU
-    bool symmetric            = false; ///< factorise the upper triangle alone, LDL^T
+    bool symmetric            = false; ///< factorise the upper triangle of symmetric matrices alone, LDL^T
   };
 
   /// Matrix entries are given by rows and columns once (MatSetPreallocationCOO), then only their values change; entries
@@ -37,8 +37,8 @@ namespace swimtwin
 
     /// Rows [first, last) live on this rank; `rows` and `columns` are this rank's contributions. Collective.
     void set_pattern(PetscInt first_row, PetscInt last_row, std::vector<PetscInt> rows, std::vector<PetscInt> columns);
-    /// Values in the order of the pattern. Collective.
-    void set_matrix(const std::vector<double> &values);
+    /// Values in the order of the pattern. `is_symmetric`: not always so under the option `symmetric`. Collective.
+    void set_matrix(const std::vector<double> &values, bool is_symmetric = true);
     /// This rank's contributions to the right-hand side, of full length; summed over ranks. Collective.
     void set_right_hand_side(const std::vector<double> &contributions);
 
@@ -91,6 +91,7 @@ namespace swimtwin
     KSP                 ksp_        = nullptr;
     PetscInt            size_ = 0, first_row_ = 0, last_row_ = 0;
     bool                has_factors_ = false, factors_are_old_ = true, factors_are_worn_ = false;
+    bool                matrix_is_symmetric_ = true;
     int                 solves_with_factors_ = 0, effort_with_factors_ = 0;
   };
 } // namespace swimtwin

@@ -14,6 +14,7 @@ namespace swimtwin
     {
       map.reinit(cell_positions<dim>(nodes, mesh.nodes));
       auto &points = points_.emplace_back(map.n_points());
+      auto &mass   = cell_mass_.emplace_back();
       for (unsigned int q = 0; q < map.n_points(); ++q)
       {
         points[q].weight = map.weight(q);
@@ -24,6 +25,8 @@ namespace swimtwin
           points[q].value[a]    = map.value(q, a);
           volume_of_node_[nodes[a]] += map.weight(q) * map.value(q, a);
           axial_gradient_of_node_[nodes[a]] += map.weight(q) * map.gradient(q, a)[0];
+          for (unsigned int b = 0; b < nodes.size(); ++b)
+            mass[a][b] += map.weight(q) * map.value(q, a) * map.value(q, b);
         }
       }
     }
@@ -97,15 +100,6 @@ namespace swimtwin
         }
       }
     }
-  }
-
-  template <int dim>
-  double ElasticTail<dim>::cell_mass(const unsigned int cell, const unsigned int a, const unsigned int b) const
-  {
-    double mass = 0.;
-    for (const auto &point : points_[cell])
-      mass += point.weight * point.value[a] * point.value[b];
-    return mass;
   }
 
   template <int dim>

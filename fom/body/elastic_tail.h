@@ -14,7 +14,6 @@ namespace swimtwin
   using NodalField = std::vector<dealii::Tensor<1, dim>>;
 
   /// Everything is an integral over the reference configuration, so shape gradients and weights are tabulated once.
-  /// Solid inertia will add its mass term to the same cell force.
   template <int dim>
   class ElasticTail
   {
@@ -41,7 +40,10 @@ namespace swimtwin
     double                     volume() const { return volume_; }
 
     /// int N_a N_b over one cell.
-    double cell_mass(unsigned int cell, unsigned int a, unsigned int b) const;
+    double cell_mass(const unsigned int cell, const unsigned int a, const unsigned int b) const
+    {
+      return cell_mass_[cell][a][b];
+    }
 
     /// int f^2 dX of a nodal field, for norms.
     double norm_square(const NodalField<dim> &field) const;
@@ -64,7 +66,9 @@ namespace swimtwin
     const SimplexMesh<dim>               &mesh_;
     std::unique_ptr<HyperelasticLaw<dim>> law_;
     std::vector<std::vector<Point>>       points_; ///< of each cell
-    std::vector<double>                   volume_of_node_, axial_gradient_of_node_;
-    double                                volume_ = 0.;
+    using CellMass = std::array<std::array<double, n_cell_nodes<dim>>, n_cell_nodes<dim>>;
+    std::vector<CellMass> cell_mass_;
+    std::vector<double>   volume_of_node_, axial_gradient_of_node_;
+    double                volume_ = 0.;
   };
 } // namespace swimtwin

@@ -1,5 +1,6 @@
 #include <fom/body/swimmer.h>
 
+#include <datasets/inertia_terms.h>
 #include <datasets/mirror_plane.h>
 #include <fom/body/finer_mesh.h>
 #include <fom/mesh/swimmer_outline.h>
@@ -19,7 +20,8 @@ namespace swimtwin
 
   template <int dim>
   Swimmer<dim>::Swimmer(const Scene &scene, const MPI_Comm communicator)
-      : scene_(scene), body_length_(scene.body_length_m()), is_symmetric_(solves_half(scene))
+      : scene_(scene), body_length_(scene.body_length_m()), is_symmetric_(solves_half(scene)),
+        inertia_(inertia_terms(scene))
   {
     const SwimmerOutline outline = make_outline(scene.head, scene.tail, scene.numerics);
     surface_at_rest_             = outline.surface();
@@ -54,9 +56,12 @@ namespace swimtwin
       tail_node_of_surface_[first + i] = tail_->surface_nodes[i];
     if (scene_.numerics.tail_order == 1)
       straighten_surface();
-    const LameConstants lame = lame_constants(scene_.tail->young_modulus_Pa, scene_.tail->poisson_ratio);
+    // A rigid tail is one that is clamped everywhere.
+    const LameConstants lame = scene_.tail->is_rigid()
+                                   ? LameConstants{}
+                                   : lame_constants(scene_.tail->young_modulus_Pa, scene_.tail->poisson_ratio);
     elasticity_              = std::make_unique<ElasticTail<dim>>(tail_->mesh, make_law<dim>(scene_.tail->law, lame));
-    is_clamped_.assign(tail_->mesh.n_nodes(), 0);
+    is_clamped_.assign(tail_->mesh.n_nodes(), scene_.tail->is_rigid());
     for (const auto node : tail_->clamped_nodes)
       is_clamped_[node] = 1;
   }
@@ -205,6 +210,38 @@ namespace swimtwin
       w.push_back(rates.velocity + rotational_velocity<dim>(rates.omega, x[a] - configuration.pose.center) +
                   R * rates.shape_rate[a]);
     return w;
+  }
+
+  template <int dim>
+  BodyVelocities<dim> Swimmer<dim>::velocities(const Configuration<dim> &configuration, const Rates<dim> &rates) const
+  {
+    return {rates.velocity, rates.omega, has_tail() ? tail_velocities(configuration, rates) : NodalField<dim>()};
+  }
+
+  template <int dim>
+  double Swimmer<dim>::kinetic_energy(const BodyVelocities<dim> &v) const
+  {
+    double energy = 0.;
+    if (inertia_.head)
+      energy += .5 * head_mass() * v.head.norm_square() + .5 * head_moment_of_inertia() * v.omega.norm_square();
+    if (inertia_.tail)
+      energy += .5 * scene_.tail->density_kg_m3 * elasticity_->norm_square(v.tail);
+    return energy;
+  }
+
+  template <int dim>
+  NodalField<dim> Swimmer<dim>::inertial_force_on_tail(const NodalField<dim> &acceleration) const
+  {
+    if (!inertia_.tail || acceleration.empty())
+      return {};
+    const auto     &mesh = tail_->mesh;
+    NodalField<dim> force(mesh.n_nodes());
+    for (unsigned int c = 0; c < mesh.n_cells(); ++c)
+      for (unsigned int a = 0; a < n_cell_nodes<dim>; ++a)
+        for (unsigned int b = 0; b < n_cell_nodes<dim>; ++b)
+          force[mesh.cells[c][a]] +=
+              scene_.tail->density_kg_m3 * elasticity_->cell_mass(c, a, b) * acceleration[mesh.cells[c][b]];
+    return force;
   }
 
   template <int dim>

@@ -27,6 +27,15 @@ namespace swimtwin
     NodalField<dim>        shape_rate; ///< m/s, head frame
   };
 
+  /// How fast it is, in the laboratory.
+  template <int dim>
+  struct BodyVelocities
+  {
+    dealii::Tensor<1, dim> head; ///< of its centre, m/s
+    AngularVelocity<dim>   omega;
+    NodalField<dim>        tail; ///< at its nodes
+  };
+
   /// Torque (N m; N in 2D, per unit depth) of the field on the head, and its derivative by the angle.
   struct MagneticTorque
   {
@@ -54,6 +63,7 @@ namespace swimtwin
     Swimmer(const Scene &scene, MPI_Comm communicator);
 
     bool                    has_tail() const { return tail_ != nullptr; }
+    bool                    can_bend() const { return tail_ && !scene_.tail->is_rigid(); }
     const TailMesh<dim>    &tail() const { return *tail_; }
     const ElasticTail<dim> &elasticity() const { return *elasticity_; }
     bool                    is_clamped(const unsigned int tail_node) const { return is_clamped_[tail_node]; }
@@ -71,8 +81,18 @@ namespace swimtwin
     /// Area (m^2) inside the surface, its quadratic edges included, and the rate at which it changes (2D).
     double area(const Configuration<dim> &configuration) const;
     double area_rate(const Configuration<dim> &configuration, const Rates<dim> &rates) const;
-    /// Laboratory velocities of the tail's nodes.
-    NodalField<dim> tail_velocities(const Configuration<dim> &configuration, const Rates<dim> &rates) const;
+    /// Laboratory velocities of the tail's nodes, and of the whole body.
+    NodalField<dim>     tail_velocities(const Configuration<dim> &configuration, const Rates<dim> &rates) const;
+    BodyVelocities<dim> velocities(const Configuration<dim> &configuration, const Rates<dim> &rates) const;
+
+    /// Kinetic energy (J, per unit depth in 2D) of head and tail, as far as the scene gives them inertia.
+    double kinetic_energy(const BodyVelocities<dim> &velocities) const;
+    /// Force (N, per unit depth in 2D) that gives the tail's nodes an acceleration (m/s^2); empty without its inertia.
+    NodalField<dim> inertial_force_on_tail(const NodalField<dim> &acceleration) const;
+    /// Mass (kg, per unit depth in 2D) of head and its moment of inertia (kg m^2) about its centre.
+    double head_mass() const { return scene_.head.density_kg_m3 * scene_.head.area_m2(); }
+    double head_moment_of_inertia() const { return scene_.head.density_kg_m3 * scene_.head.polar_moment_m4(); }
+    const InertiaTerms &inertia() const { return inertia_; }
 
     /// Distance between two configurations relative to the body: root mean square over the tail, or the head's.
     double relative_change(const Configuration<dim> &a, const Configuration<dim> &b) const;
@@ -113,5 +133,6 @@ namespace swimtwin
     std::vector<char>                 is_clamped_;
     double                            body_length_;
     bool                              is_symmetric_; ///< half of the scene is solved and reflected
+    InertiaTerms                      inertia_;
   };
 } // namespace swimtwin

@@ -25,8 +25,7 @@ namespace swimtwin
                                     const MPI_Comm communicator)
       : swimmer_(swimmer), fluid_(fluid), system_(system), n_fluid_rows_(fluid ? fluid->n_rows() : 0),
         rank_(Utilities::MPI::this_mpi_process(communicator)), n_ranks_(Utilities::MPI::n_mpi_processes(communicator)),
-        tail_numbering_(number_tail(swimmer)),
-        map_(n_fluid_rows_, tail_numbering_ ? tail_numbering_->size() : 0, swimmer.scene().body_length_m()),
+        tail_numbering_(number_tail(swimmer)), map_(n_fluid_rows_, n_tail_rows(), swimmer.scene().body_length_m()),
         condensation_(map_)
   {
     if (tail_numbering_)
@@ -34,7 +33,7 @@ namespace swimtwin
     if (fluid_)
     {
       // A tail that can change its area fixes the pressure's level by itself; a rigid body in a closed domain does not.
-      fluid_->describe(map_, !swimmer.has_tail() && !swimmer.scene().domain->has_traction_free_wall());
+      fluid_->describe(map_, !swimmer.can_bend() && !swimmer.scene().domain->has_traction_free_wall());
       describe_surface();
     }
     if (solves_half(swimmer.scene()))
@@ -42,8 +41,8 @@ namespace swimtwin
     std::vector<unsigned int> owner;
     for (unsigned int row = 0; row < n_fluid_rows_; ++row)
       owner.push_back(fluid_->row_owner(row));
-    for (unsigned int row = 0; tail_numbering_ && row < tail_numbering_->size(); ++row)
-      owner.push_back(tail_numbering_->owner(row));
+    for (unsigned int row = 0; row < n_tail_rows(); ++row)
+      owner.push_back(tail_numbering_->owner(row % tail_numbering_->size()));
     map_.close(owner, !swimmer.scene().head.fixed, communicator);
     lay_out();
   }
@@ -68,9 +67,20 @@ namespace swimtwin
             first_tail_cell_ = number;
           tail_cells_.push_back(c);
         }
+      first_mass_cell_ = first_tail_cell_ + tail_cells_.size();
+      for (const auto c : tail_cells_)
+        if (swimmer_.inertia().tail)
+        {
+          std::vector<unsigned int> rows;
+          for (const auto node : mesh.cells[c])
+            for (int i = 0; i < dim; ++i)
+              rows.push_back(moving_row(node, i));
+          condensation_.add_cell(rows, tail_pairs_.weight());
+        }
     }
-    if (head_turns() && rank_ + 1 == n_ranks_)
-      rotation_entry_ = condensation_.add_entry(map_.first_head_unknown() + dim);
+    for (unsigned int k = 0; rank_ + 1 == n_ranks_ && k < map_.n_head_unknowns(); ++k)
+      if (k >= dim || swimmer_.inertia().head)
+        head_entries_.push_back(condensation_.add_entry(map_.first_head_unknown() + k));
     condensation_.lay_out(system_);
   }
 
@@ -84,6 +94,10 @@ namespace swimtwin
           map_.tie(tail_row(a, c), {map_.head_row(c)});
     tie_linear_tail(map_, swimmer_,
                     [this](const unsigned int node, const unsigned int c) { return tail_row(node, c); });
+    if (swimmer_.inertia().tail)
+      for (unsigned int a = 0; a < swimmer_.tail().mesh.n_nodes(); ++a)
+        for (int c = 0; c < dim; ++c)
+          map_.tie_and_turn(moving_row(a, c), tail_row(a, c), c, swimmer_.tail().mesh.nodes[a]);
   }
 
   template <int dim>
@@ -107,6 +121,10 @@ namespace swimtwin
       if (const int node = swimmer_.tail_node(k); node >= 0)
         for (int c = 0; c < dim; ++c)
           map_.move_on_head(fluid_->surface_row(k, c), swimmer_.surface_at_rest(k) + configuration.shape[node]);
+    if (tail_numbering_ && swimmer_.inertia().tail)
+      for (unsigned int a = 0; a < configuration.shape.size(); ++a)
+        for (int c = 0; c < dim; ++c)
+          map_.move_on_head(moving_row(a, c), swimmer_.tail().mesh.nodes[a] + configuration.shape[a]);
     map_.set_rotation(configuration.pose.rotation());
   }
 
@@ -130,15 +148,28 @@ namespace swimtwin
     if (fluid_)
       fluid_->set_wall_velocities(map_, point.time_s);
     condensation_.reset();
+    const bool                is_carried = fluid_ && fluid_->inertia().of_fluid();
+    const std::vector<double> iterate    = is_carried ? map_.expand(unknowns) : std::vector<double>();
     if (fluid_)
-      fluid_->assemble(condensation_, -point.area_rate);
+      fluid_->assemble(condensation_, -point.area_rate, iterate);
     if (tail_numbering_)
       assemble_tail(point);
     if (map_.head_is_free())
       assemble_head(point);
-    system_.set_matrix(condensation_.values());
+    if (point.known_velocities && swimmer_.inertia().tail)
+      assemble_tail_inertia(point);
+    if (point.known_velocities && swimmer_.inertia().head && map_.head_is_free())
+      assemble_head_inertia(point);
+    system_.set_matrix(condensation_.values(), !(fluid_ && fluid_->solves_for_convection()));
     system_.set_right_hand_side(condensation_.right_hand_side());
-    return system_.solve(unknowns);
+    if (!system_.solve(unknowns))
+      return false;
+    if (is_carried)
+    {
+      const std::vector<double> next = map_.expand(unknowns);
+      flow_change_ = {fluid_->distance(next, iterate), fluid_->distance(next, std::vector<double>(next.size(), 0.))};
+    }
+    return true;
   }
 
   template <int dim>
@@ -200,6 +231,31 @@ namespace swimtwin
   }
 
   template <int dim>
+  void CoupledSystem<dim>::assemble_tail_inertia(const LinearizationPoint<dim> &point)
+  {
+    // rho (w - w*) / c on the whole velocities w of the nodes.
+    const double density_rate = swimmer_.scene().tail->density_kg_m3 / point.slope_weight;
+    for (unsigned int number = 0; number < tail_cells_.size(); ++number)
+    {
+      const auto    &nodes = swimmer_.tail().mesh.cells[tail_cells_[number]];
+      TailCellSystem system;
+      for (auto &row : system.matrix)
+        row.fill(0.);
+      for (unsigned int a = 0; a < nodes.size(); ++a)
+        for (unsigned int b = 0; b < nodes.size(); ++b)
+        {
+          const double m = density_rate * swimmer_.elasticity().cell_mass(tail_cells_[number], a, b);
+          for (int i = 0; i < dim; ++i)
+          {
+            system.matrix[a * dim + i][b * dim + i] = m;
+            system.load[a * dim + i] += m * point.known_velocities->tail[nodes[b]][i];
+          }
+        }
+      condensation_.add(first_mass_cell_ + number, system.matrix, system.load);
+    }
+  }
+
+  template <int dim>
   void CoupledSystem<dim>::add_dead_load(const unsigned int node, const LinearizationPoint<dim> &point)
   {
     const Tensor<1, dim> load = swimmer_.load_on_tail_node(node, point.time_s);
@@ -235,7 +291,24 @@ namespace swimtwin
     if (!head_turns())
       return;
     rhs[first + dim] += (torque - torque_by_rate_ * point.rates.omega[0]) / length;
-    condensation_.add_to_entry(rotation_entry_, -torque_by_rate_ / (length * length));
+    condensation_.add_to_entry(head_entries_.back(), -torque_by_rate_ / (length * length));
+  }
+
+  template <int dim>
+  void CoupledSystem<dim>::assemble_head_inertia(const LinearizationPoint<dim> &point)
+  {
+    if (rank_ + 1 != n_ranks_)
+      return;
+    const double length = map_.length_scale(), mass = swimmer_.head_mass() / point.slope_weight,
+                 moment      = swimmer_.head_moment_of_inertia() / (point.slope_weight * length * length);
+    const auto        &known = *point.known_velocities;
+    auto              &rhs   = condensation_.right_hand_side();
+    const unsigned int first = map_.first_head_unknown();
+    for (unsigned int k = 0; k < map_.n_head_unknowns(); ++k)
+    {
+      condensation_.add_to_entry(head_entries_[k], k < dim ? mass : moment);
+      rhs[first + k] += k < dim ? mass * known.head[k] : moment * known.omega[k - dim] * length;
+    }
   }
 
   template <int dim>
@@ -265,13 +338,17 @@ namespace swimtwin
     for (unsigned int k = 0; k < map_.n_head_unknowns(); ++k)
       unknowns[map_.first_head_unknown() + k] =
           k < dim ? v.head_velocity[k] : v.head_omega[k - dim] * map_.length_scale();
+    const auto set = [&](const unsigned int row, const double value) {
+      if (map_.end(row) - map_.begin(row) == 1)
+        unknowns[map_.begin(row)->unknown] = value / map_.begin(row)->coefficient;
+    };
+    for (unsigned int i = 0; fluid_ && fluid_->inertia().of_fluid() && i < fluid_->mesh().n_nodes(); ++i)
+      for (int c = 0; c < dim; ++c)
+        set(fluid_->numbering().vector_index(i, c), fluid_->past().now.velocity[i][c]);
     for (unsigned int a = 0; a < v.tail.size(); ++a)
       for (int c = 0; c < dim; ++c)
-      {
-        const unsigned int row = tail_row(a, c);
-        if (!swimmer_.is_clamped(a) && map_.end(row) - map_.begin(row) == 1)
-          unknowns[map_.begin(row)->unknown] = v.tail[a][c] / map_.begin(row)->coefficient;
-      }
+        if (!swimmer_.is_clamped(a))
+          set(tail_row(a, c), v.tail[a][c]);
     return unknowns;
   }
 

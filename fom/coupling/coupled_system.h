@@ -10,11 +10,12 @@ namespace swimtwin
   template <int dim>
   struct LinearizationPoint
   {
-    const Configuration<dim> &configuration;
-    const Rates<dim>         &rates;
-    double                    slope_weight; ///< d(position)/d(velocity) of the time step, s
-    double                    time_s;
-    double                    area_rate = 0.; ///< that the body's surface shall have in a closed domain, m^2/s
+    const Configuration<dim>  &configuration;
+    const Rates<dim>          &rates;
+    double                     slope_weight; ///< d(position)/d(velocity) of the time step, s
+    double                     time_s;
+    double                     area_rate        = 0.; ///< that the body's surface shall have in a closed domain, m^2/s
+    const BodyVelocities<dim> *known_velocities = nullptr; ///< of the time step, where the body has inertia
   };
 
   /// What was solved for, nodal. The tail's velocities leave out the head's rotation, so that they are those of its
@@ -38,13 +39,21 @@ namespace swimtwin
     /// Assemble at a point (the fluid's mesh is already there) and solve. `unknowns` holds the initial guess, then the
     /// solution. False if the linear solver failed. Collective.
     bool solve(const LinearizationPoint<dim> &point, std::vector<double> &unknowns);
+    /// By how much the last solve changed the flow (root mean square, m/s), and the flow's size, where convection makes
+    /// it an iterate of its own; else zero.
+    struct FlowChange
+    {
+      double change = 0., size = 0.;
+    };
+    const FlowChange &flow_change() const { return flow_change_; }
 
     /// Whether, at the last point of linearisation, the field turns the head away from an unstable equilibrium in less
     /// time than the step. Collective.
     bool field_outruns_step();
 
     CoupledVelocities<dim> velocities(const std::vector<double> &unknowns) const;
-    /// Unknowns with the body's velocities in their places and the fluid at rest: a guess after remeshing.
+    /// Unknowns with the body's velocities in their places and the fluid as it was last, at rest without a memory of
+    /// it: a guess after remeshing.
     std::vector<double> guess(const CoupledVelocities<dim> &velocities) const;
     /// Rows' values: fluid (velocities, scaled pressures), then tail (without the head's rotation).
     std::vector<double> expand(const std::vector<double> &unknowns) const { return map_.expand(unknowns); }
@@ -67,11 +76,23 @@ namespace swimtwin
     TailCellSystem linearize_tail_cell(unsigned int cell, const LinearizationPoint<dim> &point) const;
     void           add_dead_load(unsigned int node, const LinearizationPoint<dim> &point);
     void           assemble_tail(const LinearizationPoint<dim> &point);
+    void           assemble_tail_inertia(const LinearizationPoint<dim> &point);
     void           assemble_head(const LinearizationPoint<dim> &point);
+    void           assemble_head_inertia(const LinearizationPoint<dim> &point);
     bool           head_turns() const { return map_.n_head_unknowns() > dim; }
     unsigned int   tail_row(const unsigned int node, const unsigned int component) const
     {
       return n_fluid_rows_ + tail_numbering_->vector_index(node, component);
+    }
+
+    /// Row of a component of a tail node's whole velocity, the head's rotation included: with the tail's inertia only.
+    unsigned int moving_row(const unsigned int node, const unsigned int component) const
+    {
+      return tail_row(node, component) + tail_numbering_->size();
+    }
+    unsigned int n_tail_rows() const
+    {
+      return tail_numbering_ ? (swimmer_.inertia().tail ? 2 : 1) * tail_numbering_->size() : 0;
     }
 
     const Swimmer<dim>                 &swimmer_;
@@ -84,7 +105,9 @@ namespace swimtwin
     Condensation<dim>                   condensation_;
     std::vector<unsigned int>           tail_cells_;          ///< owned, no images
     unsigned int                        first_tail_cell_ = 0; ///< its number in the condensation
-    unsigned int                        rotation_entry_  = 0;
-    double                              torque_by_rate_  = 0.; ///< of the field, by the head's angular velocity
+    unsigned int                        first_mass_cell_ = 0;
+    std::vector<unsigned int>           head_entries_;        ///< of its unknowns, on the rank that has them
+    double                              torque_by_rate_ = 0.; ///< of the field, by the head's angular velocity
+    FlowChange                          flow_change_;
   };
 } // namespace swimtwin

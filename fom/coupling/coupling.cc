@@ -56,7 +56,8 @@ namespace swimtwin
 
   bool is_partitioned(const Scene &scene)
   {
-    return scene.numerics.coupling == CouplingScheme::fixed_point && scene.fluid && scene.tail;
+    return scene.numerics.coupling == CouplingScheme::fixed_point && scene.fluid && scene.tail &&
+           !scene.tail->is_rigid();
   }
 
   template <int dim>

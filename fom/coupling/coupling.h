@@ -5,6 +5,7 @@
 #include <fom/fluid/fluid_domain.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,8 @@ namespace swimtwin
   std::string remedy(StepOutcome outcome, const Scene &scene);
 
   /// One implicit step of a two-step formula: what is advanced = known + slope_weight * its rate, both at its end.
-  /// Advanced are the angle, the shape and the middle of the body, from which the head's centre follows.
+  /// Advanced are the angle, the shape and the middle of the body, from which the head's centre follows, and, with
+  /// inertia, velocities.
   template <int dim>
   struct TimeStep
   {
@@ -34,6 +36,7 @@ namespace swimtwin
     double             time_s;       ///< at its end
     double             growth;       ///< its length over that of the step before; 0: nothing before
     int                number;       ///< of steps before it
+    std::optional<BodyVelocities<dim>> known_velocities = {}; ///< of a body with inertia: the same formula for them
   };
 
   /// Centre of the head of a configuration whose angle and shape are at the end of the step, like the rates.
@@ -77,6 +80,8 @@ namespace swimtwin
     /// mesh, and without fluid.
     virtual std::vector<double> fluid_values() const = 0;
     virtual unsigned int        n_unknowns() const   = 0;
+    /// Of the flow over the last accepted step, relative to it; zero at rest.
+    virtual double flow_change() const { return 0.; }
     /// Of the system that holds the fluid, and of a partitioned coupling's tail.
     virtual LinearSolverCounts linear_counts() const = 0;
     virtual LinearSolverCounts tail_linear_counts() const { return {}; }

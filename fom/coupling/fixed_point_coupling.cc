@@ -12,26 +12,6 @@ namespace swimtwin
   {
     /// The tail's Newton method is to leave nothing that the coupling could notice.
     constexpr double tail_tolerance_share = 1e-2;
-
-    template <int dim>
-    Eigen::VectorXd flat(const NodalField<dim> &field)
-    {
-      Eigen::VectorXd values(field.size() * dim);
-      for (unsigned int a = 0; a < field.size(); ++a)
-        for (int c = 0; c < dim; ++c)
-          values[a * dim + c] = field[a][c];
-      return values;
-    }
-
-    template <int dim>
-    NodalField<dim> nodal(const Eigen::VectorXd &values)
-    {
-      NodalField<dim> field(values.size() / dim);
-      for (unsigned int a = 0; a < field.size(); ++a)
-        for (int c = 0; c < dim; ++c)
-          field[a][c] = values[a * dim + c];
-      return field;
-    }
   } // namespace
 
   template <int dim>
@@ -157,7 +137,8 @@ namespace swimtwin
         fluid_values_    = std::move(values);
         return StepOutcome::accepted;
       }
-      configuration.shape = nodal<dim>(acceleration_->next(flat<dim>(configuration.shape), flat<dim>(image.shape)));
+      configuration.shape =
+          nodal_field<dim>(acceleration_->next(vector_of<dim>(configuration.shape), vector_of<dim>(image.shape)));
     }
     return StepOutcome::coupling_diverged;
   }

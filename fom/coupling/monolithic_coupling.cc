@@ -14,6 +14,9 @@ namespace swimtwin
       : swimmer_(swimmer), numerics_(swimmer.scene().numerics), communicator_(communicator),
         solver_(communicator, solver_options(numerics_)), area_at_rest_(swimmer.area(swimmer.configuration_at_rest()))
   {
+    // The flow depends on the shape: in a time step weakly, in a steady state as strongly as it likes.
+    if (swimmer.scene().time.is_steady && swimmer.scene().fluid && swimmer.can_bend())
+      acceleration_ = std::make_unique<QuasiNewtonLeastSquares>(0);
   }
 
   template <int dim>
@@ -32,7 +35,7 @@ namespace swimtwin
     // stress: it must stay small against it, however stiff the tail. Below round-off there is nothing to gain.
     constexpr double harmless = 1e3, round_off = 1e-13;
     const Scene     &scene = swimmer_.scene();
-    if (!scene.fluid || !scene.tail)
+    if (!scene.fluid || !swimmer_.can_bend())
       return numerics_.linear_tolerance;
     const LameConstants lame      = lame_constants(scene.tail->young_modulus_Pa, scene.tail->poisson_ratio);
     const double        stiffness = slope_weight * (lame.lambda_Pa + 2. * lame.mu_Pa) / scene.fluid->viscosity_Pa_s;
@@ -47,7 +50,7 @@ namespace swimtwin
     // A closed fluid keeps the body's area. Its rate alone would not: what a step adds, second order in its length,
     // stays for ever, because the pressure's level carries any load.
     const Scene &scene = swimmer_.scene();
-    if (!scene.fluid || !scene.tail || scene.domain->has_traction_free_wall())
+    if (!scene.fluid || !swimmer_.can_bend() || scene.domain->has_traction_free_wall())
       return 0.;
     return swimmer_.area_rate(configuration, rates) -
            (swimmer_.area(configuration) - area_at_rest_) / step.slope_weight;
@@ -105,10 +108,30 @@ namespace swimtwin
   }
 
   template <int dim>
+  double MonolithicCoupling<dim>::iterate_change(const TimeStep<dim> &step) const
+  {
+    // Where convection iterates on the flow: by how much this moves a body that goes with it, in body lengths, or, in
+    // long steps, the share of the flow.
+    const auto &[change, size] = system_->flow_change();
+    return change == 0. ? 0. : change * std::min(step.slope_weight / swimmer_.scene().body_length_m(), 1. / size);
+  }
+
+  template <int dim>
+  void MonolithicCoupling<dim>::accelerate(const TimeStep<dim> &step, const Configuration<dim> &configuration,
+                                           Configuration<dim> &next, Rates<dim> &rates)
+  {
+    next.shape = nodal_field<dim>(acceleration_->next(vector_of<dim>(configuration.shape), vector_of<dim>(next.shape)));
+    for (unsigned int a = 0; a < next.shape.size(); ++a)
+      rates.shape_rate[a] = (next.shape[a] - step.known.shape[a]) / step.slope_weight;
+  }
+
+  template <int dim>
   StepOutcome MonolithicCoupling<dim>::solve(const TimeStep<dim> &step, Configuration<dim> &configuration,
                                              Rates<dim> &rates)
   {
     solver_.aim_at(linear_tolerance(step.slope_weight));
+    if (acceleration_)
+      acceleration_->forget(1.);
     std::vector<double> unknowns      = predict(step, configuration, rates);
     double              change_before = 0.;
     for (int iteration = 1; iteration <= numerics_.max_coupling_iterations; ++iteration)
@@ -123,21 +146,25 @@ namespace swimtwin
       const ScopedCpuTime time(counts_.iteration_cpu_s);
       ++counts_.n_iterations;
       const double area_rate = wanted_area_rate(step, configuration, rates);
-      if (!system_->solve({configuration, rates, step.slope_weight, step.time_s, area_rate}, unknowns))
+      const auto  *known     = step.known_velocities ? &*step.known_velocities : nullptr;
+      if (!system_->solve({configuration, rates, step.slope_weight, step.time_s, area_rate, known}, unknowns))
         return StepOutcome::linear_solver_failed;
       if (system_->field_outruns_step())
         return StepOutcome::unstable_equilibrium;
       Configuration<dim> next   = advance_kinematics(step, configuration, system_->velocities(unknowns), rates);
-      const double       change = swimmer_.relative_change(next, configuration);
-      configuration             = std::move(next);
+      const double       change = std::max(swimmer_.relative_change(next, configuration), iterate_change(step));
+      if (acceleration_)
+        accelerate(step, configuration, next, rates);
+      configuration = std::move(next);
       if (iteration == 2)
         contraction_ = {change / change_before, change_before, step.number};
       if (!(change < far_too_far))
         return StepOutcome::coupling_diverged;
       // What is left to correct is estimated from the iteration's contraction: measured in this step, or, for the first
       // iteration, in a recent one.
-      const double left_over =
-          iteration == 1 ? contraction_.expected(change, step.number) * change : change * change / change_before;
+      const double left_over = acceleration_    ? change
+                               : iteration == 1 ? contraction_.expected(change, step.number) * change
+                                                : change * change / change_before;
       if (left_over <= numerics_.coupling_tolerance)
       {
         if (swimmer_.has_tail() && swimmer_.elasticity().is_inverted(configuration.shape))
@@ -149,6 +176,18 @@ namespace swimtwin
       change_before = change;
     }
     return StepOutcome::coupling_diverged;
+  }
+
+  template <int dim>
+  double MonolithicCoupling<dim>::flow_change() const
+  {
+    if (!fluid_ || unknowns_.empty())
+      return 0.;
+    const auto now = system_->expand(unknowns_);
+    const auto before =
+        system_->expand(unknowns_before_.empty() ? std::vector<double>(unknowns_.size(), 0.) : unknowns_before_);
+    const double size = fluid_->distance(now, std::vector<double>(now.size(), 0.));
+    return size > 0. ? fluid_->distance(now, before) / size : 0.;
   }
 
   template <int dim>

@@ -13,17 +13,22 @@ namespace swimtwin
       : scene_(scene), fluid_mesh_(std::move(fluid_mesh)), numbering_(fluid_mesh_.mesh, true),
         mirror_pairs_(fluid_mesh_.mesh, fluid_mesh_.image_of_vertex), pose_at_meshing_(pose), positions_(mesh().nodes),
         pressure_scale_(scene.fluid->viscosity_Pa_s / scene.body_length_m()),
-        quality_(worst_quality(mesh(), positions_))
+        quality_(worst_quality(mesh(), positions_)), terms_(inertia_terms(scene))
   {
-    std::vector<char> is_at_surface(mesh().n_nodes(), 0);
+    if (terms_.of_fluid())
+    {
+      past_.now    = {positions_, std::vector<Tensor<1, dim>>(mesh().n_nodes())};
+      past_.before = past_.now;
+    }
+    is_at_surface_.assign(mesh().n_nodes(), 0);
     for (const auto node : fluid_mesh_.surface_nodes)
-      is_at_surface[node] = 1;
+      is_at_surface_[node] = 1;
     for (unsigned int c = 0; c < mesh().n_cells(); ++c)
       if (mesh().is_owned(c) && !mirror_pairs_.is_image(mesh().cells[c]))
       {
         owned_cells_.push_back(c);
         if (std::any_of(mesh().cells[c].begin(), mesh().cells[c].end(),
-                        [&](const unsigned int node) { return is_at_surface[node]; }))
+                        [&](const unsigned int node) { return is_at_surface_[node]; }))
           owned_cells_at_surface_.push_back(c);
         map_.reinit(cell_positions<dim>(mesh().cells[c], positions_));
         for (unsigned int q = 0; q < map_.n_points(); ++q)
@@ -112,36 +117,127 @@ namespace swimtwin
   }
 
   template <int dim>
-  void FluidDomain<dim>::assemble(Condensation<dim> &condensation, const double source) const
+  void FluidDomain<dim>::begin_step(const Bdf2 &bdf)
+  {
+    if (!terms_.of_fluid())
+      return;
+    const auto &[now, before] = past_;
+    known_.positions.resize(mesh().n_nodes());
+    known_.velocity.resize(mesh().n_nodes());
+    for (unsigned int i = 0; i < mesh().n_nodes(); ++i)
+    {
+      known_.positions[i] = Point<dim>(bdf.known<Tensor<1, dim>>(now.positions[i], before.positions[i]));
+      known_.velocity[i]  = bdf.known(now.velocity[i], before.velocity[i]);
+    }
+    slope_weight_          = bdf.slope_weight;
+    solves_for_convection_ = terms_.convective && !convection_is_mild();
+  }
+
+  template <int dim>
+  bool FluidDomain<dim>::convection_is_mild() const
+  {
+    // Taken from the iterate, the convective term's error shrinks in each iteration by rho U l / (rho l^2 / c + mu) for
+    // a disturbance of length l: at most U sqrt(rho c / mu) / 2, at l = sqrt(mu c / rho).
+    constexpr double mild  = 0.1;
+    double           speed = largest_wall_speed(*scene_.domain);
+    for (unsigned int i = 0; i < mesh().n_nodes(); ++i)
+      speed = std::max(speed, past_.now.velocity[i].norm());
+    const double contraction =
+        terms_.unsteady
+            ? .5 * speed * std::sqrt(scene_.fluid->density_kg_m3 * slope_weight_ / scene_.fluid->viscosity_Pa_s)
+            : scene_.fluid->density_kg_m3 * speed * scene_.body_length_m() / scene_.fluid->viscosity_Pa_s;
+    return contraction < mild && !scene_.time.is_steady;
+  }
+
+  template <int dim>
+  void FluidDomain<dim>::end_step(const std::vector<double> &values)
+  {
+    if (!terms_.of_fluid())
+      return;
+    past_.before        = std::move(past_.now);
+    past_.now.positions = positions_;
+    past_.now.velocity.resize(mesh().n_nodes());
+    for (unsigned int i = 0; i < mesh().n_nodes(); ++i)
+      for (int c = 0; c < dim; ++c)
+        past_.now.velocity[i][c] = values[numbering_.vector_index(i, c)];
+  }
+
+  template <int dim>
+  double FluidDomain<dim>::distance(const std::vector<double> &values, const std::vector<double> &others) const
+  {
+    double sum = 0.;
+    for (unsigned int i = 0; i < mesh().n_nodes(); ++i)
+      for (int c = 0; c < dim; ++c)
+      {
+        const auto row = numbering_.vector_index(i, c);
+        sum += (values[row] - others[row]) * (values[row] - others[row]);
+      }
+    return std::sqrt(sum / mesh().n_nodes());
+  }
+
+  template <int dim>
+  CellFlow<dim> FluidDomain<dim>::cell_flow(const unsigned int cell, const std::vector<double> &values) const
+  {
+    CellFlow<dim> flow;
+    for (unsigned int a = 0; a < n_cell_nodes<dim>; ++a)
+    {
+      const unsigned int node = mesh().cells[cell][a];
+      if (!values.empty())
+        for (int c = 0; c < dim; ++c)
+          flow.fluid[a][c] = values[numbering_.vector_index(node, c)];
+      flow.known[a]           = known_.velocity[node];
+      flow.goes_with_fluid[a] = is_at_surface_[node] && !values.empty();
+      flow.mesh[a] =
+          flow.goes_with_fluid[a] ? flow.fluid[a] : (positions_[node] - known_.positions[node]) / slope_weight_;
+    }
+    return flow;
+  }
+
+  template <int dim>
+  void FluidDomain<dim>::assemble(Condensation<dim> &condensation, const double source,
+                                  const std::vector<double> &iterate) const
   {
     FluidCellMatrix<dim>                       K;
     std::array<double, n_fluid_cell_dofs<dim>> load{};
+    const FluidInertia                         inertia = step_inertia();
     for (unsigned int k = 0; k < owned_cells_.size(); ++k)
     {
-      map_.reinit(cell_positions<dim>(mesh().cells[owned_cells_[k]], positions_));
+      const unsigned int cell = owned_cells_[k];
+      map_.reinit(cell_positions<dim>(mesh().cells[cell], positions_));
       stokes_cell_matrix<dim>(map_, scene_.fluid->viscosity_Pa_s, pressure_scale_, K);
+      load.fill(0.);
       for (int v = 0; v <= dim; ++v)
-      {
-        double &f = load[n_cell_nodes<dim> * dim + v];
-        f         = 0.;
         for (unsigned int q = 0; q < map_.n_points(); ++q)
-          f -= pressure_scale_ * source / volume_ * map_.weight(q) * map_.linear_value(q, v);
+          load[n_cell_nodes<dim> * dim + v] -=
+              pressure_scale_ * source / volume_ * map_.weight(q) * map_.linear_value(q, v);
+      if (terms_.of_fluid() && slope_weight_ > 0.)
+      {
+        const CellFlow<dim> flow = cell_flow(cell, iterate);
+        if (inertia.rate_1_s > 0.)
+          add_unsteady_term<dim>(map_, inertia, flow, K, load);
+        if (solves_for_convection_)
+          add_linearized_convection<dim>(map_, inertia, flow, K, load);
+        else if (terms_.of_fluid())
+          add_convection_as_load<dim>(map_, inertia, flow, load);
       }
       condensation.add(k, K, load);
     }
   }
 
   template <int dim>
-  double FluidDomain<dim>::sum_forces(const std::vector<unsigned int> &cells, const std::vector<double> &values,
-                                      std::vector<double> &force) const
+  FluidReaction FluidDomain<dim>::sum_forces(const std::vector<unsigned int> &cells,
+                                             const std::vector<double>       &values) const
   {
-    constexpr unsigned int n_velocity  = n_cell_nodes<dim> * dim;
-    double                 dissipation = 0.;
+    constexpr unsigned int n_velocity = n_cell_nodes<dim> * dim;
+    FluidReaction          sum{std::vector<double>(n_rows(), 0.), 0., 0., {}};
     FluidCellMatrix<dim>   K;
     for (const auto c : cells)
     {
       map_.reinit(cell_positions<dim>(mesh().cells[c], positions_));
       stokes_cell_matrix<dim>(map_, scene_.fluid->viscosity_Pa_s, pressure_scale_, K);
+      std::array<double, n_fluid_cell_dofs<dim>> inertial{};
+      if (slope_weight_ > 0.)
+        add_inertial_forces<dim>(map_, step_inertia(), cell_flow(c, values), inertial, sum.kinetic);
       const auto rows = cell_rows(c);
       for (unsigned int i = 0; i < rows.size(); ++i)
       {
@@ -152,30 +248,28 @@ namespace swimtwin
           if (j < n_velocity)
             viscous = total;
         }
-        force[rows[i]] += total;
+        sum.force[rows[i]] += total + inertial[i];
         if (i < n_velocity)
-          dissipation += values[rows[i]] * viscous;
+          sum.dissipation += values[rows[i]] * viscous;
       }
     }
-    Utilities::MPI::sum(force, mesh().communicator(), force);
-    mirror_pairs_.complete(force, numbering_);
-    return mirror_pairs_.weight() * dissipation;
+    Utilities::MPI::sum(sum.force, mesh().communicator(), sum.force);
+    mirror_pairs_.complete(sum.force, numbering_);
+    for (double *power : {&sum.dissipation, &sum.kinetic.energy, &sum.kinetic.growth, &sum.kinetic.outflow})
+      *power = mirror_pairs_.weight() * Utilities::MPI::sum(*power, mesh().communicator());
+    return sum;
   }
 
   template <int dim>
   std::vector<double> FluidDomain<dim>::force_on_fluid_at_surface(const std::vector<double> &values) const
   {
-    std::vector<double> force(n_rows(), 0.);
-    sum_forces(owned_cells_at_surface_, values, force);
-    return force;
+    return sum_forces(owned_cells_at_surface_, values).force;
   }
 
   template <int dim>
   FluidReaction FluidDomain<dim>::react(const std::vector<double> &values) const
   {
-    FluidReaction reaction{std::vector<double>(n_rows(), 0.), 0., 0.};
-    reaction.dissipation = sum_forces(owned_cells_, values, reaction.force);
-    reaction.dissipation = Utilities::MPI::sum(reaction.dissipation, mesh().communicator());
+    FluidReaction reaction = sum_forces(owned_cells_, values);
     for (const auto &[node, wall, name] : fluid_mesh_.wall_nodes)
       if (wall->condition != WallCondition::traction_free)
         for (int c = 0; c < dim; ++c)

@@ -2,10 +2,13 @@
 // is.
 #pragma once
 
+#include <datasets/inertia_terms.h>
+#include <fom/algebra/bdf2.h>
 #include <fom/algebra/condensation.h>
 #include <fom/algebra/mirror_pairs.h>
+#include <fom/fluid/fluid_inertia.h>
+#include <fom/fluid/fluid_motion.h>
 #include <fom/fluid/mesh_motion.h>
-#include <fom/fluid/stokes.h>
 #include <fom/mesh/fluid_mesh.h>
 
 #include <memory>
@@ -16,8 +19,9 @@ namespace swimtwin
   struct FluidReaction
   {
     std::vector<double> force; ///< of every row on the fluid: the residual of the weak form, never a boundary integral
-    double              dissipation; ///< 2 mu D:D integrated (W)
-    double              wall_power;  ///< of moving walls and inflows on the fluid (W)
+    double              dissipation = 0.; ///< 2 mu D:D integrated (W)
+    double              wall_power  = 0.; ///< of moving walls and inflows on the fluid (W)
+    KineticPowers       kinetic;
   };
 
   /// Lives from one remeshing to the next.
@@ -36,6 +40,11 @@ namespace swimtwin
     }
     unsigned int n_surface_nodes() const { return fluid_mesh_.surface_nodes.size(); }
 
+    /// Rows of a cell: velocities node by node, then the vertices' pressures.
+    std::vector<unsigned int> cell_rows(unsigned int cell) const;
+    /// Whether the pressure's level is fixed by a wall without traction.
+    bool has_free_boundary() const { return scene_.domain->has_traction_free_wall(); }
+
     /// Mark the rows at walls, and one pressure if nothing else fixes its level, as imposed.
     void describe(MotionMap<dim> &map, bool pin_pressure) const;
     /// Tie the rows of images to their originals; comes last. Nothing to do on a mesh that is no mirror image.
@@ -47,10 +56,25 @@ namespace swimtwin
     double follow(const std::vector<dealii::Point<dim>> &surface, const RigidPose<dim> &pose);
     double quality() const { return quality_; }
 
+    // Inertia: the past is kept where a term needs it, and starts from rest.
+    const InertiaTerms   &inertia() const { return terms_; }
+    const FluidPast<dim> &past() const { return past_; }
+    void                  set_past(FluidPast<dim> past) { past_ = std::move(past); }
+    /// Time steps of y(t + dt) = known + slope_weight y'(t + dt) begin here.
+    void begin_step(const Bdf2 &bdf);
+    /// The step is over, at the present position and with these values of the rows.
+    void end_step(const std::vector<double> &values);
+    /// Whether the convective term is solved for, which makes the matrix unsymmetric; else it is taken from the
+    /// iterate.
+    bool solves_for_convection() const { return solves_for_convection_; }
+    /// Distance between two flows, as the root mean square over the nodes (m/s).
+    double distance(const std::vector<double> &values, const std::vector<double> &others) const;
+
     /// Add the fluid's cells to an assembly: once to describe them, then at every new position or time.
     void add_cells(Condensation<dim> &condensation) const;
-    /// `source`: rate at which volume is to appear in the fluid, spread evenly (m^2/s in 2D).
-    void assemble(Condensation<dim> &condensation, double source = 0.) const;
+    /// `source`: rate at which volume is to appear in the fluid, spread evenly (m^2/s in 2D). `iterate`: values of the
+    /// rows at which the convective term is linearised, where there is one.
+    void assemble(Condensation<dim> &condensation, double source = 0., const std::vector<double> &iterate = {}) const;
 
     /// From the rows' values. Collective.
     FluidReaction react(const std::vector<double> &values) const;
@@ -69,11 +93,15 @@ namespace swimtwin
     LinearSolverCounts mesh_motion_counts() const { return extension_ ? extension_->counts() : LinearSolverCounts(); }
 
   private:
-    std::vector<unsigned int> cell_rows(unsigned int cell) const;
-    /// Sum up the forces of some cells and of those they stand for, over all ranks. Returns the dissipation of the
-    /// rank's. Collective.
-    double sum_forces(const std::vector<unsigned int> &cells, const std::vector<double> &values,
-                      std::vector<double> &force) const;
+    /// Sum up the forces and powers of some cells and of those they stand for, over all ranks. Collective.
+    FluidReaction sum_forces(const std::vector<unsigned int> &cells, const std::vector<double> &values) const;
+    CellFlow<dim> cell_flow(unsigned int cell, const std::vector<double> &values) const;
+    bool          convection_is_mild() const;
+    FluidInertia  step_inertia() const
+    {
+      return {scene_.fluid->density_kg_m3, terms_.unsteady && slope_weight_ > 0. ? 1. / slope_weight_ : 0.,
+              terms_.convective};
+    }
 
     const Scene                        &scene_;
     FluidMesh<dim>                      fluid_mesh_;
@@ -83,7 +111,14 @@ namespace swimtwin
     std::unique_ptr<MeshExtension<dim>> extension_; ///< made when the swimmer first moves
     std::vector<dealii::Point<dim>>     positions_;
     std::vector<unsigned int>           owned_cells_, owned_cells_at_surface_; ///< no images
+    std::vector<char>                   is_at_surface_;                        ///< of the swimmer, by node
     double                              pressure_scale_, quality_, volume_ = 0.;
     mutable IsoparametricCell<dim>      map_;
+
+    InertiaTerms     terms_;
+    FluidPast<dim>   past_;
+    FluidMotion<dim> known_;                      ///< of the step, with its formula's weights
+    double           slope_weight_          = 0.; ///< s
+    bool             solves_for_convection_ = false;
   };
 } // namespace swimtwin

@@ -5,6 +5,7 @@
 #include <fom/mesh/inverted_element.h>
 #include <fom/mesh/wall_loop.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -226,5 +227,16 @@ namespace swimtwin
       v[1 - along]       = (wall_name == "left" || wall_name == "bottom" ? 1. : -1.) * shape * speed;
     }
     return v;
+  }
+
+  double largest_wall_speed(const Domain &domain)
+  {
+    double largest = 0.;
+    for (const auto &[name, wall] : domain.walls)
+      largest = std::max(
+          largest,
+          std::abs(wall.speed_m_s) *
+              (wall.condition == WallCondition::inflow && wall.profile == InflowProfile::parabolic ? 1.5 : 1.));
+    return largest;
   }
 } // namespace swimtwin

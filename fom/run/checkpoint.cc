@@ -4,6 +4,7 @@
 #include <datasets/hdf5_file.h>
 #include <datasets/hdf5_open.h>
 
+#include <array>
 #include <sstream>
 
 namespace swimtwin
@@ -173,6 +174,13 @@ namespace swimtwin
       return works;
     }
 
+    template <typename Past>
+    auto motions_of(Past &past)
+    {
+      return std::array<std::pair<std::string, decltype(&past.now)>, 2>{
+          {{"/fluid_now", &past.now}, {"/fluid_before", &past.before}}};
+    }
+
     /// One list of numbers for both directions: `visit(name, member)`.
     template <typename CheckpointType, typename Visitor>
     void for_each_number(CheckpointType &checkpoint, const Visitor &visit)
@@ -226,6 +234,12 @@ namespace swimtwin
       write_fluid_mesh(file, *model.fluid_mesh);
     file.write_matrix("/trajectory", matrix(checkpoint.rows), number);
     file.write_matrix("/shapes", matrix(checkpoint.shapes), number);
+    for (const auto &[name, motion] : motions_of(model.fluid_past))
+      if (!motion->positions.empty())
+      {
+        file.write_vector(name + "/positions_m", flat(motion->positions), number);
+        file.write_vector(name + "/velocity_m_s", flat(motion->velocity), number);
+      }
     if (model.balance)
     {
       file.write_vector("/powers_W_m",
@@ -263,12 +277,18 @@ namespace swimtwin
     model.coupling.unknowns_before = file.read_vector("/unknowns_before");
     if (file.contains("/fluid_mesh"))
       model.fluid_mesh = read_fluid_mesh(file);
+    for (const auto &[name, motion] : motions_of(model.fluid_past))
+      if (file.contains(name))
+        *motion = {points(file.read_vector(name + "/positions_m")), nodal(file.read_vector(name + "/velocity_m_s"))};
     checkpoint.rows   = rows(file.read_matrix("/trajectory"));
     checkpoint.shapes = rows(file.read_matrix("/shapes"));
     if (file.contains("/powers_W_m"))
     {
-      const auto powers            = file.read_vector("/powers_W_m");
-      model.balance                = PowerBalance{powers.at(0), powers.at(1), powers.at(2), 0., 0., {}, {}};
+      const auto powers = file.read_vector("/powers_W_m");
+      model.balance.emplace();
+      model.balance->magnetic      = powers.at(0);
+      model.balance->gravity       = powers.at(1);
+      model.balance->wall          = powers.at(2);
       model.balance->surface_force = file.read_vector("/surface_force_N_m");
     }
     if (file.contains("/first_works_J_m"))

@@ -1,5 +1,6 @@
 #include <fom/run/run_plan.h>
 
+#include <datasets/inertia_terms.h>
 #include <datasets/mirror_plane.h>
 #include <fom/algebra/solver_memory.h>
 #include <fom/body/mesh_around.h>
@@ -26,6 +27,22 @@ namespace swimtwin
     constexpr double iterations_per_step = 1.5;
     constexpr double n_unknowns_measured = 210e3; ///< docs/stress.md
 
+    void plan_inertia(const Scene &scene, RunPlan &plan, const double unsteady_group)
+    {
+      const InertiaTerms terms = inertia_terms(scene);
+      if (terms.unsteady)
+        plan.solved.push_back({"fluid inertia", terms.convective ? "unsteady and convective terms, ALE, BDF2"
+                                                                 : "unsteady term alone, ALE, BDF2"});
+      else if (terms.convective)
+        plan.solved.push_back({"fluid inertia", "convective term alone"});
+      else
+        plan.skipped.push_back(
+            {"fluid inertia",
+             fmt::format("left out; relative size of what is neglected: up to {:.2g}", unsteady_group)});
+      if (terms.head)
+        plan.solved.push_back({"head's inertia", "mass and moment of inertia"});
+    }
+
     void plan_fluid(const Scene &scene, RunPlan &plan)
     {
       if (!scene.fluid)
@@ -34,13 +51,12 @@ namespace swimtwin
             {"fluid", "the scene has none: the tail is in equilibrium with its loads at every instant"});
         return;
       }
-      plan.solved.push_back({"fluid", "Stokes flow, P2/P1 triangles with second-order geometry"});
+      plan.solved.push_back({"fluid", fmt::format("{} flow, P2/P1 triangles with second-order geometry",
+                                                  inertia_terms(scene).convective ? "Navier-Stokes" : "Stokes")});
       const double group = unsteady_group(scene);
       plan.numbers.push_back({"unsteady group", fmt::format("2 pi rho f L^2 / mu = {:.3g}{}", group,
                                                             scene.field.period_s() > 0. ? "" : ", f one per run")});
-      plan.skipped.push_back(
-          {"fluid inertia",
-           fmt::format("the quasi-static model neglects it; relative size of what is neglected: up to {:.2g}", group)});
+      plan_inertia(scene, plan, group);
       if (const std::string warning = inertia_warning(scene); !warning.empty())
         plan.warnings.push_back(warning);
     }
@@ -49,6 +65,8 @@ namespace swimtwin
     {
       if (!scene.tail)
         plan.skipped.push_back({"elasticity", "the body has no tail: one rigid body with three velocities"});
+      else if (scene.tail->is_rigid())
+        plan.skipped.push_back({"elasticity", "the tail is rigid: one body with three velocities"});
       else
       {
         plan.solved.push_back(
@@ -56,7 +74,10 @@ namespace swimtwin
                                  scene.tail->law == MaterialModel::neo_hookean ? "compressible neo-Hookean"
                                                                                : "St Venant-Kirchhoff",
                                  scene.numerics.tail_order)});
-        plan.skipped.push_back({"solid inertia", "quasi-static: the tail is in equilibrium with the flow"});
+        if (inertia_terms(scene).tail)
+          plan.solved.push_back({"tail's inertia", "consistent mass, BDF2"});
+        else
+          plan.skipped.push_back({"tail's inertia", "the tail is in equilibrium with its loads at every instant"});
         if (scene.fluid && scene.time.period_s > 0.)
           plan.numbers.push_back(
               {"elastic group", fmt::format("E h^3 / (12 (1 - nu^2) mu f L^3) = {:.3g}", elastic_group(scene))});

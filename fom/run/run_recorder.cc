@@ -50,9 +50,15 @@ namespace swimtwin
     row.external_power_W_m  = balance.gravity + balance.wall;
     row.dissipation_W_m     = balance.dissipation;
     row.elastic_energy_J_m  = balance.elastic_energy;
+    row.kinetic_energy_J_m  = balance.kinetic_energy;
+    row.kinetic_outflow_W_m = balance.kinetic_outflow;
+    row.kinetic_growth_W_m  = balance.kinetic_growth;
     row.head_force_x_N_m    = balance.load_that_holds_head[0];
     row.head_force_y_N_m    = balance.load_that_holds_head[1];
     row.head_torque_N       = balance.load_that_holds_head[2];
+    row.fluid_force_x_N_m   = balance.load_of_fluid[0];
+    row.fluid_force_y_N_m   = balance.load_of_fluid[1];
+    row.fluid_torque_N      = balance.load_of_fluid[2];
     row.coupling_iterations = model.coupling_iterations_of_last_step();
     row.n_unknowns          = model.n_unknowns();
     row.remeshed            = model.just_remeshed();

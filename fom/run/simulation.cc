@@ -140,8 +140,11 @@ namespace swimtwin
       {
         RunSummary summary;
         summary.status = status;
+        // A steady state has no period, and no way to it.
         const auto balances =
-            work_balance_per_period(recorder_.trajectory(), scene_.time.period_s, recorder_.first_works());
+            scene_.time.is_steady
+                ? std::vector<WorkBalance>()
+                : work_balance_per_period(recorder_.trajectory(), scene_.time.period_s, recorder_.first_works());
         summarize_motion(recorder_.trajectory(), scene_.time.period_s, scene_.head.angle_rad, balances, summary);
         const StepCounts        &counts   = model_.counts();
         const CouplingCounts    &coupling = model_.coupling().counts();

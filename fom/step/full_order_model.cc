@@ -3,6 +3,7 @@
 #include <datasets/error.h>
 #include <fom/algebra/cpu_time.h>
 #include <fom/body/mesh_around.h>
+#include <fom/fluid/flow_transfer.h>
 #include <fom/mesh/inverted_element.h>
 
 #include <algorithm>
@@ -40,6 +41,14 @@ namespace swimtwin
       }
       return least;
     }
+
+    /// Time (s) that a stream or a fall takes to pass the body.
+    double time_of_passage(const Scene &scene)
+    {
+      const double length = scene.body_length_m(), speed = scene.domain ? largest_wall_speed(*scene.domain) : 0.;
+      const double gravity = std::hypot(scene.gravity.acceleration_m_s2[0], scene.gravity.acceleration_m_s2[1]);
+      return speed > 0. ? length / speed : gravity > 0. ? std::sqrt(length / gravity) : 1.;
+    }
   } // namespace
 
   template <int dim>
@@ -56,14 +65,14 @@ namespace swimtwin
     }
     else
       coupling_->use_fluid(nullptr);
-    if (!swimmer_.has_tail())
+    if (!swimmer_.has_tail() && !inertia_terms(scene).any())
       solve_initial_flow();
   }
 
   template <int dim>
   void FullOrderModel<dim>::solve_initial_flow()
   {
-    // Without a tail the velocities follow from the position alone; with one, the run starts from rest.
+    // Without a tail and inertia the velocities follow from the position alone; else the run starts from rest.
     const TimeStep<dim> no_step{known_part(Bdf2(0., 0.)), 0., 0., 0., 0};
     if (coupling_->solve(no_step, now_.configuration, now_.rates) != StepOutcome::accepted)
       throw ComputationError("the flow at the start could not be solved: refine [numerics] mesh_size_m");
@@ -71,10 +80,10 @@ namespace swimtwin
   }
 
   template <int dim>
-  PowerBalance FullOrderModel<dim>::compute_balance() const
+  PowerBalance FullOrderModel<dim>::compute_balance(const std::optional<BodyVelocities<dim>> &acceleration) const
   {
-    return power_balance(swimmer_, fluid_.get(), coupling_->fluid_values(), now_.configuration, now_.rates,
-                         now_.time_s);
+    return power_balance(swimmer_, fluid_.get(), coupling_->fluid_values(), now_.configuration, now_.rates, now_.time_s,
+                         acceleration);
   }
 
   template <int dim>
@@ -82,6 +91,55 @@ namespace swimtwin
   {
     iterations_of_last_step_ = 0;
     just_remeshed_           = false;
+    if (scene_.time.is_steady)
+      advance_to_steady_state();
+    else
+      advance_in_time();
+    ++grid_step_;
+  }
+
+  template <int dim>
+  void FullOrderModel<dim>::advance_to_steady_state()
+  {
+    // Backward Euler steps from rest, each ten times as long as the one before: Newton's method in the end, and its
+    // path there is one that the swimmer could take.
+    constexpr int    most_steps = 60;
+    constexpr double growth = 10., longest = 1e6;
+    const double     unit     = time_of_passage(scene_);
+    double           dt       = 100. * unit;
+    int              failures = 0;
+    for (int n = 0; n < most_steps; ++n)
+    {
+      time_step_before_                      = 0.;
+      const Configuration<dim> configuration = now_.configuration;
+      const double             time_s        = now_.time_s;
+      const StepOutcome        outcome       = try_step(dt);
+      now_.time_s                            = time_s; // there is none
+      if (outcome != StepOutcome::accepted)
+      {
+        if (++failures > scene_.numerics.max_step_halvings + 6)
+          give_up(outcome, failures);
+        dt /= growth;
+        continue;
+      }
+      const double change =
+          std::max(swimmer_.relative_change(configuration, now_.configuration), coupling_->flow_change());
+      if (change <= scene_.numerics.coupling_tolerance && dt >= unit)
+      {
+        now_.time_s = scene_.time.time_step_s();
+        return;
+      }
+      dt = std::min(growth * dt, longest * unit);
+      if (fluid_ && wants_remeshing() && remesh())
+        just_remeshed_ = true;
+    }
+    throw ComputationError(
+        "no steady state was found: the flow may have none; leave out [time] steady and follow it in time");
+  }
+
+  template <int dim>
+  void FullOrderModel<dim>::advance_in_time()
+  {
     work_.reset();
     if (follows_way_)
       work_.emplace();
@@ -121,13 +179,12 @@ namespace swimtwin
       else
         give_up(outcome, halvings);
     }
-    ++grid_step_;
-    if (follows_way_ && grid_step_ > 1 && powers_are_smooth_again(balance_then, balance_))
+    if (follows_way_ && grid_step_ > 0 && powers_are_smooth_again(balance_then, balance_))
     {
       work_.reset();
       follows_way_ = false;
     }
-    follows_way_ = follows_way_ && grid_step_ < n_start_steps(scene_.time);
+    follows_way_ = follows_way_ && grid_step_ + 1 < n_start_steps(scene_.time);
   }
 
   template <int dim>
@@ -190,11 +247,42 @@ namespace swimtwin
   }
 
   template <int dim>
+  std::optional<BodyVelocities<dim>> FullOrderModel<dim>::known_velocities(const Bdf2 &bdf) const
+  {
+    if (!swimmer_.inertia().of_body())
+      return std::nullopt;
+    const Instant<dim>       &then   = time_step_before_ > 0. ? before_ : now_;
+    const BodyVelocities<dim> now    = swimmer_.velocities(now_.configuration, now_.rates),
+                              before = swimmer_.velocities(then.configuration, then.rates);
+    BodyVelocities<dim> known{bdf.known(now.head, before.head), bdf.known(now.omega, before.omega), {}};
+    for (unsigned int a = 0; a < now.tail.size(); ++a)
+      known.tail.push_back(bdf.known(now.tail[a], before.tail[a]));
+    return known;
+  }
+
+  template <int dim>
+  std::optional<BodyVelocities<dim>> FullOrderModel<dim>::acceleration(const TimeStep<dim> &step) const
+  {
+    if (!step.known_velocities)
+      return std::nullopt;
+    const BodyVelocities<dim> &known = *step.known_velocities;
+    BodyVelocities<dim>        a     = swimmer_.velocities(now_.configuration, now_.rates);
+    a.head                           = (a.head - known.head) / step.slope_weight;
+    a.omega                          = (a.omega - known.omega) / step.slope_weight;
+    for (unsigned int i = 0; i < a.tail.size(); ++i)
+      a.tail[i] = (a.tail[i] - known.tail[i]) / step.slope_weight;
+    return a;
+  }
+
+  template <int dim>
   StepOutcome FullOrderModel<dim>::try_step(const double dt)
   {
     const Bdf2          bdf(dt, time_step_before_);
     const double        growth = time_step_before_ > 0. ? dt / time_step_before_ : 0.;
-    const TimeStep<dim> step{known_part(bdf), bdf.slope_weight, now_.time_s + dt, growth, counts_.n_steps};
+    const TimeStep<dim> step{known_part(bdf), bdf.slope_weight, now_.time_s + dt,
+                             growth,          counts_.n_steps,  known_velocities(bdf)};
+    if (fluid_)
+      fluid_->begin_step(bdf);
 
     Rates<dim>         rates         = extrapolated_rates(growth);
     Configuration<dim> configuration = step.known;
@@ -207,18 +295,21 @@ namespace swimtwin
     const StepOutcome outcome           = coupling_->solve(step, configuration, rates);
     iterations_of_last_step_ += coupling_->counts().n_iterations - iterations_before;
     if (outcome == StepOutcome::accepted)
-      accept(dt, std::move(configuration), std::move(rates));
+      accept(dt, step, std::move(configuration), std::move(rates));
     return outcome;
   }
 
   template <int dim>
-  void FullOrderModel<dim>::accept(const double dt, Configuration<dim> configuration, Rates<dim> rates)
+  void FullOrderModel<dim>::accept(const double dt, const TimeStep<dim> &step, Configuration<dim> configuration,
+                                   Rates<dim> rates)
   {
     const bool is_first               = time_step_before_ == 0.;
     before_                           = std::move(now_);
     time_step_before_                 = dt;
     now_                              = {before_.time_s + dt, std::move(configuration), std::move(rates)};
-    const PowerBalance balance_before = std::exchange(balance_, compute_balance());
+    const PowerBalance balance_before = std::exchange(balance_, compute_balance(acceleration(step)));
+    if (fluid_)
+      fluid_->end_step(coupling_->fluid_values());
     if (work_)
       *work_ += work_along_the_way(swimmer_, before_, is_first ? nullptr : &balance_before, now_, balance_);
     ++counts_.n_steps;
@@ -245,7 +336,10 @@ namespace swimtwin
     const auto         &c = now_.configuration;
     try
     {
-      use_fluid_mesh(mesh_around(swimmer_, c, communicator_), c.pose);
+      auto fluid = std::make_unique<FluidDomain<dim>>(scene_, mesh_around(swimmer_, c, communicator_), c.pose);
+      if (fluid_ && fluid_->inertia().of_fluid())
+        fluid->set_past(transfer_past(*fluid_, *fluid));
+      use_fluid(std::move(fluid));
     }
     catch (const InvertedElement &error)
     {
@@ -264,9 +358,8 @@ namespace swimtwin
   }
 
   template <int dim>
-  void FullOrderModel<dim>::use_fluid_mesh(FluidMesh<dim> mesh, const RigidPose<dim> &pose)
+  void FullOrderModel<dim>::use_fluid(std::unique_ptr<FluidDomain<dim>> fluid)
   {
-    auto fluid = std::make_unique<FluidDomain<dim>>(scene_, std::move(mesh), pose);
     coupling_->use_fluid(fluid.get()); // lets go of the old one
     fluid_                 = std::move(fluid);
     steps_since_remeshing_ = 0;
@@ -289,6 +382,7 @@ namespace swimtwin
       state.balance = balance_;
     if (fluid_)
     {
+      state.fluid_past      = fluid_->past();
       state.fluid_mesh      = record(fluid_->fluid_mesh());
       state.pose_at_meshing = fluid_->pose_at_meshing();
     }
@@ -299,7 +393,12 @@ namespace swimtwin
   void FullOrderModel<dim>::restore(const ModelState<dim> &state)
   {
     if (state.fluid_mesh)
-      use_fluid_mesh(make_fluid_mesh(*scene_.domain, *state.fluid_mesh, communicator_), state.pose_at_meshing);
+    {
+      auto fluid = std::make_unique<FluidDomain<dim>>(
+          scene_, make_fluid_mesh(*scene_.domain, *state.fluid_mesh, communicator_), state.pose_at_meshing);
+      fluid->set_past(state.fluid_past);
+      use_fluid(std::move(fluid));
+    }
     now_                   = state.now;
     before_                = state.before;
     time_step_before_      = state.time_step_before_s;

@@ -25,30 +25,41 @@ namespace swimtwin
       Point<dim> center_;
     };
 
-    /// What must hold a fixed head: the whole body is in equilibrium, and the tail's internal forces have no resultant.
     template <int dim>
-    std::array<double, 3> load_that_holds(const Swimmer<dim> &swimmer, const FluidDomain<dim> *fluid,
-                                          const std::vector<double> &reaction, const Configuration<dim> &configuration,
-                                          const double time_s)
+    std::array<double, 3> load_of_fluid(const Swimmer<dim> &swimmer, const std::vector<double> &force_on_fluid,
+                                        const Configuration<dim> &configuration)
     {
       LoadSum<dim> sum(configuration.pose.center);
-      if (fluid)
+      const auto   x = swimmer.surface(configuration);
+      for (unsigned int k = 0; k < x.size(); ++k)
       {
-        const auto x = swimmer.surface(configuration);
-        for (unsigned int k = 0; k < x.size(); ++k)
-        {
-          Tensor<1, dim> on_fluid;
-          for (int c = 0; c < dim; ++c)
-            on_fluid[c] = reaction[fluid->surface_row(k, c)];
-          sum.add(x[k], on_fluid);
-        }
+        Tensor<1, dim> on_body;
+        for (int c = 0; c < dim; ++c)
+          on_body[c] = -force_on_fluid[k * dim + c];
+        sum.add(x[k], on_body);
       }
+      return {sum.force[0], sum.force[1], sum.torque};
+    }
+
+    /// What must hold a fixed head: loads and momentum of the whole body balance, and the tail's internal forces have
+    /// no resultant.
+    template <int dim>
+    std::array<double, 3> load_that_holds(const Swimmer<dim> &swimmer, const std::array<double, 3> &of_fluid,
+                                          const NodalField<dim>    &inertial_force,
+                                          const Configuration<dim> &configuration, const double time_s)
+    {
+      LoadSum<dim> sum(configuration.pose.center);
       if (swimmer.has_tail())
       {
         const auto x = swimmer.tail_positions(configuration);
         for (unsigned int a = 0; a < x.size(); ++a)
           sum.add(x[a], -swimmer.load_on_tail_node(a, time_s));
+        for (unsigned int a = 0; a < inertial_force.size(); ++a)
+          sum.add(x[a], inertial_force[a]);
       }
+      sum.force[0] -= of_fluid[0];
+      sum.force[1] -= of_fluid[1];
+      sum.torque -= of_fluid[2];
       const auto head   = swimmer.force_on_head(time_s);
       const auto torque = swimmer.torque_on_head(configuration.pose.angle, time_s).torque;
       return {sum.force[0] - head[0], sum.force[1] - head[1], sum.torque - torque};
@@ -58,18 +69,22 @@ namespace swimtwin
   template <int dim>
   PowerBalance power_balance(const Swimmer<dim> &swimmer, const FluidDomain<dim> *fluid,
                              const std::vector<double> &fluid_values, const Configuration<dim> &configuration,
-                             const Rates<dim> &rates, const double time_s)
+                             const Rates<dim> &rates, const double time_s,
+                             const std::optional<BodyVelocities<dim>> &acceleration)
   {
-    PowerBalance  balance;
-    FluidReaction reaction;
+    PowerBalance balance;
     if (fluid)
     {
-      reaction            = fluid->react(fluid_values);
-      balance.dissipation = reaction.dissipation;
-      balance.wall        = reaction.wall_power;
+      const FluidReaction reaction = fluid->react(fluid_values);
+      balance.dissipation          = reaction.dissipation;
+      balance.wall                 = reaction.wall_power;
+      balance.kinetic_energy       = reaction.kinetic.energy;
+      balance.kinetic_outflow      = reaction.kinetic.outflow;
+      balance.kinetic_growth       = reaction.kinetic.growth;
       for (unsigned int k = 0; k < swimmer.n_surface_nodes(); ++k)
         for (int c = 0; c < dim; ++c)
           balance.surface_force.push_back(reaction.force[fluid->surface_row(k, c)]);
+      balance.load_of_fluid = load_of_fluid(swimmer, balance.surface_force, configuration);
     }
     balance.magnetic = swimmer.torque_on_head(configuration.pose.angle, time_s).torque * rates.omega[0];
     balance.gravity  = swimmer.force_on_head(time_s) * rates.velocity;
@@ -84,11 +99,25 @@ namespace swimtwin
         balance.gravity += (swimmer.load_on_tail_node(a, time_s) - magnetic) * w[a];
       }
     }
+    NodalField<dim> inertial_force;
+    if (acceleration)
+    {
+      const auto velocities = swimmer.velocities(configuration, rates);
+      balance.kinetic_energy += swimmer.kinetic_energy(velocities);
+      inertial_force = swimmer.inertial_force_on_tail(acceleration->tail);
+      for (unsigned int a = 0; a < inertial_force.size(); ++a)
+        balance.kinetic_growth += inertial_force[a] * velocities.tail[a];
+      if (swimmer.inertia().head)
+        balance.kinetic_growth += swimmer.head_mass() * (acceleration->head * velocities.head) +
+                                  swimmer.head_moment_of_inertia() * (acceleration->omega * velocities.omega);
+    }
     if (swimmer.scene().head.fixed)
-      balance.load_that_holds_head = load_that_holds(swimmer, fluid, reaction.force, configuration, time_s);
+      balance.load_that_holds_head =
+          load_that_holds(swimmer, balance.load_of_fluid, inertial_force, configuration, time_s);
     return balance;
   }
 
   template PowerBalance power_balance<2>(const Swimmer<2> &, const FluidDomain<2> *, const std::vector<double> &,
-                                         const Configuration<2> &, const Rates<2> &, double);
+                                         const Configuration<2> &, const Rates<2> &, double,
+                                         const std::optional<BodyVelocities<2>> &);
 } // namespace swimtwin

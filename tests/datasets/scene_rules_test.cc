@@ -98,10 +98,18 @@ namespace swimtwin
     expect_refused({"time.steps_per_period=99999999999"}, "is out of range");
   }
 
-  TEST(SceneRules, SomeChoicesArriveLater)
+  TEST(SceneRules, InertiaNamesTermsOfItsOwn)
   {
-    expect_refused({"fluid.inertia=full"},
-                   "[fluid] inertia = \"full\" is not available yet; use \"auto\" or \"none\".");
+    expect_refused({"fluid.inertia=[\"convectiv\"]"}, "the nearest is \"convective\"");
+    expect_refused({"fluid.inertia=[\"tail\", \"tail\"]"}, "names \"tail\" twice");
+    expect_refused({"fluid.inertia=[1]"}, "an array of some of");
+    expect_refused({"tail.inertia=full"}, "write [fluid] inertia instead");
+    expect_refused({"fluid.inertia=full", "numerics.coupling=fixed-point"}, "cannot be \"fixed-point\" with inertia");
+  }
+
+  TEST(SceneRules, ASteadyStateNeedsAHeldHeadAndNoTime)
+  {
+    expect_refused({"time.steady=true"}, "does not go with steady = true");
   }
 
   TEST(SceneRules, PartitionedCouplingNeedsAnOpenDomain)

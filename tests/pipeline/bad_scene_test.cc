@@ -128,7 +128,6 @@ namespace swimtwin
   TEST(BadScene, WhatIsNotAvailableYetIsSaid)
   {
     expect_refusal_of_setting("dimension=3", {"dimension", "use dimension = 2"});
-    expect_refusal_of_setting("fluid.inertia=full", {"inertia", "not available"});
   }
 
   TEST(BadScene, AResistanceMatrixNeedsAFluid)

@@ -1,3 +1,4 @@
+#include <datasets/inertia_terms.h>
 #include <datasets/scene.h>
 #include <tests/pipeline/simulation.h>
 #include <tests/places.h>
@@ -16,13 +17,18 @@ namespace swimtwin
       return names;
     }
 
-    /// A few steps on coarse meshes: of a periodic field 2 of its first 20 steps, without one all that there are.
+    /// A few steps on coarse meshes: of a periodic field 2 of its first 20 steps, without one all that there are, and
+    /// with inertia the first five.
     ShrunkScene shrunk(const std::string &name)
     {
       const ShrunkScene whole{name, {"numerics.mesh_growth=0.6"}};
       const Scene       scene = read_scene(std::filesystem::path(places::scenes) / (name + ".toml"));
       if (scene.field.period_s() > 0.)
         return whole.with({"time.periods=0.1", "time.steps_per_period=20"});
+      if (scene.time.is_steady)
+        return whole;
+      if (inertia_terms(scene).any())
+        return whole.with({"time.steps=5", "time.duration_s=" + std::to_string(5. * scene.time.time_step_s())});
       return whole.with({"time.steps=" + std::to_string(std::min(scene.time.steps_per_period, 5)),
                          "time.duration_s=" + std::to_string(scene.time.period_s)});
     }

@@ -1,4 +1,4 @@
-#include <fom/step/bdf2.h>
+#include <fom/algebra/bdf2.h>
 
 #include <gtest/gtest.h>
 
