@@ -15,6 +15,7 @@
 #include <datasets/console.h>
 #include <datasets/csv_table.h>
 #include <datasets/error.h>
+#include <datasets/inertia_terms.h>
 #include <datasets/provenance.h>
 #include <reports/fit/calibration_files.h>
 #include <reports/fit/calibration_pictures.h>
@@ -23,6 +24,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -88,6 +90,25 @@ namespace swimtwin
       return text;
     }
 
+    /// What the fit's parameters have to make up for, because the reduced swimmer has no inertia; empty if it is
+    /// little.
+    std::string inertia_doubt(const Scene &scene, const std::vector<ObservationSet> &sets)
+    {
+      constexpr double noticed   = 0.01;
+      double           frequency = 0.;
+      for (const ObservationSet &set : sets)
+        for (const Observation &observation : set.points)
+          frequency = std::max(frequency, observation.frequency_Hz);
+      const double share =
+          inertia_shares(scene, frequency, scene.fluid->viscosity_Pa_s, scene.tail->young_modulus_Pa).together();
+      if (!(share > noticed))
+        return {};
+      return fmt::format(
+          "the reduced swimmer neglects inertia, an estimated {:.2g} % of the displacement at {:.4g} Hz with the "
+          "scene's viscosity and stiffness: where the data have it, the estimates make up for it",
+          100. * share, frequency);
+    }
+
     void complete(const CalibrateCommand &command, const ReducedModel &model, const CalibrationProblem &problem,
                   const std::vector<ObservationSet> &sets, const double wall_time_s, CalibrationResult &result)
     {
@@ -95,6 +116,8 @@ namespace swimtwin
       result.model_file   = find_model(command.model).string();
       result.scene_name   = model.scene_name;
       result.problem_text = problem.text;
+      if (const std::string doubt = inertia_doubt(scene, sets); !doubt.empty())
+        result.warnings.push_back(doubt);
       for (const ObservationSet &set : sets)
         result.data_files.push_back(set.file.string());
       result.provenance = {

@@ -8,6 +8,7 @@
 #include <datasets/clocks.h>
 #include <datasets/console.h>
 #include <datasets/dimensionless_groups.h>
+#include <datasets/inertia_terms.h>
 #include <datasets/error.h>
 #include <datasets/provenance.h>
 #include <reports/page/draw_pictures.h>
@@ -28,7 +29,7 @@ namespace swimtwin
   namespace
   {
     /// Largest unsteady group that is computed without being asked for, and that is not warned of.
-    constexpr double largest_unsteady_group = 2., noticed_unsteady_group = 1.;
+    constexpr double largest_unsteady_group = 2., noticed_share = 0.01;
 
     struct SweepCommand
     {
@@ -79,13 +80,15 @@ namespace swimtwin
       };
       const double frequency = largest(axes.frequency_Hz, base.drive.frequency_Hz);
       const double viscosity = smallest(axes.viscosity_Pa_s, base.parameters.viscosity_Pa_s);
+      const double modulus   = largest(axes.young_modulus_Pa, base.parameters.young_modulus_Pa);
       const double group     = unsteady_group(scene, frequency, viscosity);
-      if (group <= noticed_unsteady_group)
+      const double share     = inertia_shares(scene, frequency, viscosity, modulus).together();
+      if (share <= noticed_share)
         return {};
-      const std::string finding =
-          fmt::format("at {:.4g} Hz and {:.4g} Pa s the unsteady group 2 pi rho f L^2 / mu is {:.3g}, and the reduced "
-                      "swimmer neglects inertia",
-                      frequency, viscosity, group);
+      const std::string finding = fmt::format(
+          "at {:.4g} Hz, {:.4g} Pa s and {:.4g} Pa the unsteady group 2 pi rho f L^2 / mu is {:.3g}, and the "
+          "reduced swimmer neglects inertia, an estimated {:.2g} % of the displacement",
+          frequency, viscosity, modulus, group, 100. * share);
       if (group > largest_unsteady_group && !allowed)
         throw InputError(
             fmt::format("{}: above {} its displacements are wrong; lower --frequency or raise --viscosity, or "

@@ -32,7 +32,7 @@ namespace swimtwin
         throw InputError(fmt::format("[loop] steps_per_second = {} is not a whole number of steps per decision; take a "
                                      "multiple of decisions_per_second = {}.",
                                      goal.steps_per_second, goal.options.decisions_per_second));
-      return make_full_order_plant(parse_scene(model.scene_text, model.scene_name + ".toml"),
+      return make_full_order_plant(parse_scene(model.scene_text, model.scene_name + ".toml", {"fluid.inertia=none"}),
                                    {goal.steps_per_second, goal.carrier.frequency_Hz});
     }
 

@@ -114,6 +114,7 @@ namespace swimtwin
     set(overrides, "field.frequency_Hz", 1. / field.period_s());
     overrides.push_back(fmt::format("time.periods={}", *period));
     overrides.push_back("output.snapshots_per_period=0");
+    overrides.push_back("fluid.inertia=none"); // like the reduced swimmer, whose other errors are looked for
     return parse_scene(model.scene_text, model.scene_name + ".toml", overrides);
   }
 } // namespace swimtwin

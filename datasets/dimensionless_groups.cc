@@ -24,13 +24,13 @@ namespace swimtwin
 
   std::string inertia_warning(const Scene &scene)
   {
-    const double group = unsteady_group(scene);
-    if (group <= 1. || scene.fluid->inertia != Inertia::automatic || inertia_terms(scene).of_fluid())
+    const double share = neglected_share(scene);
+    if (share <= negligible_share)
       return {};
     return fmt::format(
-        "the unsteady group is {:.3g}: fluid inertia is not small, and this run neglects it; set [fluid] "
-        "inertia = \"full\" to keep it, or \"none\" to neglect it knowingly",
-        group);
+        "inertia is left out, and with it an estimated {:.2g} % of the displacement; use [numerics] coupling "
+        "= \"monolithic\" to keep it, or set [fluid] inertia = \"none\" to neglect it knowingly",
+        100. * share);
   }
 
   double magnetic_group(const Scene &scene)
@@ -43,13 +43,19 @@ namespace swimtwin
            (scene.fluid->viscosity_Pa_s * L * L);
   }
 
+  double elastic_group(const Scene &scene, const double frequency_Hz, const double viscosity_Pa_s,
+                       const double young_modulus_Pa)
+  {
+    const Tail  &tail = *scene.tail;
+    const double h    = .5 * (tail.root_height_m + tail.tip_height_m);
+    return young_modulus_Pa * std::pow(h / tail.length_m, 3) /
+           (12. * (1. - tail.poisson_ratio * tail.poisson_ratio) * viscosity_Pa_s * frequency_Hz);
+  }
+
   double elastic_group(const Scene &scene)
   {
     if (!scene.fluid || !scene.tail || scene.time.period_s <= 0.)
       return 0.;
-    const Tail  &tail = *scene.tail;
-    const double h    = .5 * (tail.root_height_m + tail.tip_height_m);
-    return tail.young_modulus_Pa * std::pow(h / tail.length_m, 3) * scene.time.period_s /
-           (12. * (1. - tail.poisson_ratio * tail.poisson_ratio) * scene.fluid->viscosity_Pa_s);
+    return elastic_group(scene, 1. / scene.time.period_s, scene.fluid->viscosity_Pa_s, scene.tail->young_modulus_Pa);
   }
 } // namespace swimtwin

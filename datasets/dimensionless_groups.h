@@ -17,4 +17,5 @@ namespace swimtwin
   /// E h^3 / (12 (1 - nu^2) mu f L^3) with the tail's mean height h. Zero where the scene lacks what they need.
   double magnetic_group(const Scene &scene);
   double elastic_group(const Scene &scene);
+  double elastic_group(const Scene &scene, double frequency_Hz, double viscosity_Pa_s, double young_modulus_Pa);
 } // namespace swimtwin

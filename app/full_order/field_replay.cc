@@ -28,6 +28,7 @@ namespace swimtwin
                           fmt::format("head.magnetization_A_m={:.17g}", plan.magnetization_A_m),
                           fmt::format("tail.young_modulus_Pa={:.17g}", plan.young_modulus_Pa),
                           fmt::format("fluid.viscosity_Pa_s={:.17g}", plan.viscosity_Pa_s),
+                          "fluid.inertia=none", // as the reduced swimmer: the comparison is about everything else
                           fmt::format("time.periods={:.1f}", double(options.periods)),
                           fmt::format("time.steps_per_period={}", options.steps_per_period)});
     }

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace swimtwin
 {
@@ -27,20 +28,52 @@ namespace swimtwin
     constexpr double iterations_per_step = 1.5;
     constexpr double n_unknowns_measured = 210e3; ///< docs/stress.md
 
+    /// Scenes whose inertia the scheme may not hold.
+    void warn_of_inertia(const Scene &scene, RunPlan &plan)
+    {
+      constexpr double largest_cell_reynolds_number = 200., largest_way_per_step = 0.2, far_enough = 2.5;
+      const auto      &fluid = *scene.fluid;
+      const double     speed = largest_wall_speed(*scene.domain), L = scene.body_length_m();
+      if (const double cell = fluid.density_kg_m3 * speed * scene.numerics.mesh_size_far_m / fluid.viscosity_Pa_s;
+          cell > largest_cell_reynolds_number)
+        plan.warnings.push_back(
+            fmt::format("the Reynolds number of a cell is up to {:.3g}: above {:g} the flow may oscillate "
+                        "from cell to cell; lower [numerics] mesh_size_far_m = {:g} m",
+                        cell, largest_cell_reynolds_number, scene.numerics.mesh_size_far_m));
+      if (const double way = speed * scene.time.time_step_s() / L; !scene.time.is_steady && way > largest_way_per_step)
+        plan.warnings.push_back(
+            fmt::format("the fluid goes {:.3g} body lengths per step: above {:g} the steps do not see what "
+                        "it does; raise the number of steps",
+                        way, largest_way_per_step));
+      const double penetration =
+          std::sqrt(fluid.viscosity_Pa_s * scene.time.period_s / (std::numbers::pi * fluid.density_kg_m3));
+      if (scene.domain->moves_with_swimmer && scene.domain->radius_m < far_enough * (L + penetration))
+        plan.warnings.push_back(
+            fmt::format("the outer wall moves along with the swimmer, which the fluid's inertia feels at "
+                        "{:g} m: vorticity reaches {:.2g} m beyond the body; enlarge [domain] radius_m",
+                        scene.domain->radius_m, penetration));
+    }
+
     void plan_inertia(const Scene &scene, RunPlan &plan, const double unsteady_group)
     {
-      const InertiaTerms terms = inertia_terms(scene);
+      const InertiaTerms terms       = inertia_terms(scene);
+      const auto [fluid, tail, head] = inertia_shares(scene);
+      if (scene.time.period_s > 0. && !scene.time.is_steady)
+        plan.numbers.push_back(
+            {"inertia", fmt::format("estimated share of the displacement: fluid {:.2g} %, tail {:.2g} %, "
+                                    "head {:.2g} %; \"auto\" keeps what is above {:.1g} %",
+                                    100. * fluid, 100. * tail, 100. * head, 100. * negligible_share)});
       if (terms.unsteady)
         plan.solved.push_back({"fluid inertia", terms.convective ? "unsteady and convective terms, ALE, BDF2"
                                                                  : "unsteady term alone, ALE, BDF2"});
       else if (terms.convective)
         plan.solved.push_back({"fluid inertia", "convective term alone"});
       else
-        plan.skipped.push_back(
-            {"fluid inertia",
-             fmt::format("left out; relative size of what is neglected: up to {:.2g}", unsteady_group)});
+        plan.skipped.push_back({"fluid inertia", fmt::format("left out; unsteady group {:.2g}", unsteady_group)});
       if (terms.head)
         plan.solved.push_back({"head's inertia", "mass and moment of inertia"});
+      if (terms.of_fluid())
+        warn_of_inertia(scene, plan);
     }
 
     void plan_fluid(const Scene &scene, RunPlan &plan)

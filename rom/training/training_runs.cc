@@ -17,7 +17,8 @@ namespace swimtwin
                                  fmt::format("head.magnetization_A_m={:.17g}", p.magnetization_A_m),
                                  fmt::format("field.frequency_Hz={:.17g}", p.frequency_Hz),
                                  fmt::format("field.bx_T={:.17g}", p.bx_T),
-                                 fmt::format("field.by_T={:.17g}", p.by_T)};
+                                 fmt::format("field.by_T={:.17g}", p.by_T),
+                                 "fluid.inertia=none"};
     all.insert(all.end(), overrides.begin(), overrides.end());
     return parse_scene(scene.text, scene.name, all);
   }

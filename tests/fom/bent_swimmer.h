@@ -29,7 +29,7 @@ namespace swimtwin
     static Scene coarse_scene(std::vector<std::string> settings)
     {
       for (const char *size : {"numerics.mesh_size_m=6e-4", "numerics.mesh_size_corner_m=2e-4",
-                               "numerics.mesh_size_far_m=4e-3", "numerics.mesh_growth=0.5"})
+                               "numerics.mesh_size_far_m=4e-3", "numerics.mesh_growth=0.5", "fluid.inertia=none"})
         settings.emplace_back(size);
       return shipped_scene("reference-2d-casefile", settings);
     }

@@ -28,6 +28,12 @@ namespace swimtwin
               0.005 * 100. * 100. / (80. * 80.));
   }
 
+  TEST(PowerBalanceOfAStart, AcrossTheFieldWithInertiaClosesToo)
+  {
+    const auto across = coarse_swimmer(100, 1.).with({"head.angle_rad=1.5707963267948966", "fluid.inertia=full"});
+    EXPECT_LE(std::abs(simulate(across).summary.worst_power_imbalance.value()), 0.005);
+  }
+
   // The field swings round between two steps: powers at their ends do not tell what happened in between.
   TEST(PowerBalanceOfARun, OpenBalanceIsWarnedOfWithItsReason)
   {

@@ -42,17 +42,20 @@ namespace swimtwin
   // (1e-11 of the solution, 20 steps).
   TEST(Ranks, TwoRanksMoveLikeOne)
   {
-    const TemporaryFolder folder;
-    const auto            scene   = coarse_swimmer(100, 0.2).with({"numerics.linear_tolerance=1e-11"});
-    const Outcome         outcome = simulate_on_two_ranks(scene, folder.path);
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    const Motion two = read_motion(folder.path), one = simulate(scene);
-    EXPECT_EQ(one.trajectory.size(), 21);
-    ASSERT_EQ(one.summary.n_remeshes + two.summary.n_remeshes, 0);
-    const double difference = distance(one.trajectory, two.trajectory);
-    std::cout << "two ranks against one: " << difference << " body lengths" << std::endl;
-    EXPECT_LE(difference, 1e-8);
-    EXPECT_LE(largest_angle_difference(one.trajectory, two.trajectory), 1e-8);
+    for (const char *inertia : {"fluid.inertia=none", "fluid.inertia=full"})
+    {
+      const TemporaryFolder folder;
+      const auto            scene   = coarse_swimmer(100, 0.2).with({"numerics.linear_tolerance=1e-11", inertia});
+      const Outcome         outcome = simulate_on_two_ranks(scene, folder.path);
+      ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+      const Motion two = read_motion(folder.path), one = simulate(scene);
+      EXPECT_EQ(one.trajectory.size(), 21);
+      ASSERT_EQ(one.summary.n_remeshes + two.summary.n_remeshes, 0);
+      const double difference = distance(one.trajectory, two.trajectory);
+      std::cout << inertia << ", two ranks against one: " << difference << " body lengths" << std::endl;
+      EXPECT_LE(difference, 1e-8);
+      EXPECT_LE(largest_angle_difference(one.trajectory, two.trajectory), 1e-8);
+    }
   }
 
   TEST(Ranks, FieldsOfTwoRanksAreThoseOfOne)

@@ -25,9 +25,9 @@ namespace swimtwin
       ASSERT_EQ(std::filesystem::exists(folder / "checkpoint.h5"), checkpoint);
     }
 
-    void expect_the_uninterrupted_motion(const std::filesystem::path &folder)
+    void expect_the_uninterrupted_motion(const std::filesystem::path &folder, const ShrunkScene &what = scene)
     {
-      const Motion whole = simulate(scene), resumed = read_motion(folder);
+      const Motion whole = simulate(what), resumed = read_motion(folder);
       const double difference = distance(resumed.trajectory, whole.trajectory);
       std::cout << "resumed against uninterrupted: " << difference << " body lengths" << std::endl;
       EXPECT_LE(difference, tolerance);
@@ -54,6 +54,17 @@ namespace swimtwin
     interrupt(scene, run, Moment::after_first_checkpoint);
     simulate(scene, run, {"--resume"});
     expect_the_uninterrupted_motion(run);
+  }
+
+  // The past of the flow, which has crossed a remeshing.
+  TEST(Resume, AKilledRunWithInertiaContinuesToTheSameTrajectory)
+  {
+    const ShrunkScene     inertial = scene.with({"fluid.inertia=full", "fluid.viscosity_Pa_s=0.15"});
+    const TemporaryFolder folder;
+    const auto            run = folder.path / "run";
+    interrupt(inertial, run, Moment::after_first_checkpoint);
+    simulate(inertial, run, {"--resume"});
+    expect_the_uninterrupted_motion(run, inertial);
   }
 
   // Its first checkpoint, before any step, and the next, among the steps whose works are integrated along the way.

@@ -28,8 +28,8 @@ namespace swimtwin
   ShrunkScene coarse_swimmer(const int steps_per_period, const double periods)
   {
     return {"reference-2d-casefile",
-            {"numerics.mesh_growth=0.6", "time.steps_per_period=" + std::to_string(steps_per_period),
-             "time.periods=" + std::to_string(periods)}};
+            {"fluid.inertia=none", "numerics.mesh_growth=0.6",
+             "time.steps_per_period=" + std::to_string(steps_per_period), "time.periods=" + std::to_string(periods)}};
   }
 
   std::vector<std::string> simulate_arguments(const ShrunkScene &scene, const std::filesystem::path &folder,

@@ -63,8 +63,9 @@ namespace swimtwin
     EXPECT_LE(state.n_unknowns, 35000u);
   }
 
-  // The first swing, where codes agree whatever their steps: quadrilaterals with a scheme that conserves energy give
-  // (-14.64 +- 14.64, -64.82 +- 64.85) mm and a period of 0.9137 s, converged in space and time.
+  // The first swing, where codes agree whatever their steps: biquadratic quadrilaterals with an energy-momentum scheme
+  // give (-14.64 +- 14.64, -64.82 +- 64.85) mm and a period of 0.9137 s, converged in space and time
+  // (docs/benchmarks.md).
   TEST(TurekHron, Csm3FirstSwing)
   {
     const Scene          scene = shipped_scene("csm3", {"time.duration_s=1.1", "time.steps=440"});
