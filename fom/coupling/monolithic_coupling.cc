@@ -163,7 +163,7 @@ namespace swimtwin
       // What is left to correct is estimated from the iteration's contraction: measured in this step, or, for the first
       // iteration, in a recent one.
       const double left_over = acceleration_    ? change
-                               : iteration == 1 ? contraction_.expected(change, step.number) * change
+                               : iteration == 1 ? contraction_.expected(change, step) * change
                                                 : change * change / change_before;
       if (left_over <= numerics_.coupling_tolerance)
       {
@@ -191,12 +191,14 @@ namespace swimtwin
   }
 
   template <int dim>
-  double MonolithicCoupling<dim>::Contraction::expected(const double change_now, const int step) const
+  double MonolithicCoupling<dim>::Contraction::expected(const double change_now, const TimeStep<dim> &step) const
   {
-    // Partly Picard's iteration, partly Newton's, whose contraction grows with the correction.
+    // Partly Picard's iteration, partly Newton's, whose contraction grows with the correction. It grows with the step,
+    // too, by how much nobody knows: what a shorter one measured does not count.
     constexpr int    valid_for_steps = 10;
     constexpr double safety          = 3.;
-    return step - measured_at_step <= valid_for_steps ? safety * value * std::max(1., change_now / change) : 1.;
+    const bool       is_known        = step.growth <= 1. && step.number - measured_at_step <= valid_for_steps;
+    return is_known ? safety * value * std::max(1., change_now / change) : 1.;
   }
 
   template <int dim>

@@ -33,7 +33,7 @@ namespace swimtwin
       double change           = 0.;
       int    measured_at_step = -1000;
       /// Of a first correction now; 1 when the measurement is too old.
-      double expected(double change_now, int step) const;
+      double expected(double change_now, const TimeStep<dim> &step) const;
     };
 
     double              linear_tolerance(double slope_weight) const;
