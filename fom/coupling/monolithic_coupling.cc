@@ -163,7 +163,7 @@ namespace swimtwin
       // What is left to correct is estimated from the iteration's contraction: measured in this step, or, for the first
       // iteration, in a recent one.
       const double left_over = acceleration_    ? change
-                               : iteration == 1 ? contraction_.expected(change, step) * change
+                               : iteration == 1 ? expected_contraction(change, step) * change
                                                 : change * change / change_before;
       if (left_over <= numerics_.coupling_tolerance)
       {
@@ -191,14 +191,16 @@ namespace swimtwin
   }
 
   template <int dim>
-  double MonolithicCoupling<dim>::Contraction::expected(const double change_now, const TimeStep<dim> &step) const
+  double MonolithicCoupling<dim>::expected_contraction(const double change, const TimeStep<dim> &step) const
   {
-    // Partly Picard's iteration, partly Newton's, whose contraction grows with the correction. It grows with the step,
-    // too, by how much nobody knows: what a shorter one measured does not count.
+    // Partly Picard's iteration, partly Newton's, whose contraction grows with the correction. With inertia it grows
+    // with the step, too, by how much nobody knows: what a shorter one measured does not count.
     constexpr int    valid_for_steps = 10;
     constexpr double safety          = 3.;
-    const bool       is_known        = step.growth <= 1. && step.number - measured_at_step <= valid_for_steps;
-    return is_known ? safety * value * std::max(1., change_now / change) : 1.;
+    const auto      &measured        = contraction_;
+    const bool       is_known =
+        step.number - measured.measured_at_step <= valid_for_steps && (step.growth <= 1. || !swimmer_.inertia().any());
+    return is_known ? safety * measured.value * std::max(1., change / measured.change) : 1.;
   }
 
   template <int dim>

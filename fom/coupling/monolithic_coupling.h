@@ -32,10 +32,10 @@ namespace swimtwin
       double value            = 1.;
       double change           = 0.;
       int    measured_at_step = -1000;
-      /// Of a first correction now; 1 when the measurement is too old.
-      double expected(double change_now, const TimeStep<dim> &step) const;
     };
 
+    /// Of a first correction now; 1 when the measurement is too old.
+    double              expected_contraction(double change, const TimeStep<dim> &step) const;
     double              linear_tolerance(double slope_weight) const;
     double              wanted_area_rate(const TimeStep<dim> &step, const Configuration<dim> &configuration,
                                          const Rates<dim> &rates) const;

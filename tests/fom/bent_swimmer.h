@@ -28,8 +28,9 @@ namespace swimtwin
   private:
     static Scene coarse_scene(std::vector<std::string> settings)
     {
+      settings.insert(settings.begin(), "fluid.inertia=none");
       for (const char *size : {"numerics.mesh_size_m=6e-4", "numerics.mesh_size_corner_m=2e-4",
-                               "numerics.mesh_size_far_m=4e-3", "numerics.mesh_growth=0.5", "fluid.inertia=none"})
+                               "numerics.mesh_size_far_m=4e-3", "numerics.mesh_growth=0.5"})
         settings.emplace_back(size);
       return shipped_scene("reference-2d-casefile", settings);
     }
