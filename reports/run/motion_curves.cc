@@ -60,7 +60,7 @@ namespace swimtwin
   std::vector<IntervalPower> interval_powers(const Rows rows)
   {
     const auto net_power_W_m = [](const TrajectoryRow &row) {
-      return row.magnetic_power_W_m + row.external_power_W_m - row.dissipation_W_m;
+      return row.magnetic_power_W_m + row.external_power_W_m - row.dissipation_W_m - row.kinetic_outflow_W_m;
     };
     std::vector<IntervalPower> powers;
     for (std::size_t i = 1; i < rows.size(); ++i)
@@ -68,9 +68,11 @@ namespace swimtwin
       const TrajectoryRow &a = rows[i - 1], &b = rows[i];
       if (b.time_s <= a.time_s)
         continue;
-      const double elastic_rate = (b.elastic_energy_J_m - a.elastic_energy_J_m) / (b.time_s - a.time_s);
+      const double stored_rate =
+          (b.elastic_energy_J_m + b.kinetic_energy_J_m - a.elastic_energy_J_m - a.kinetic_energy_J_m) /
+          (b.time_s - a.time_s);
       powers.push_back(
-          {0.5 * (a.time_s + b.time_s), elastic_rate, 0.5 * (net_power_W_m(a) + net_power_W_m(b)) - elastic_rate});
+          {0.5 * (a.time_s + b.time_s), stored_rate, 0.5 * (net_power_W_m(a) + net_power_W_m(b)) - stored_rate});
     }
     return powers;
   }

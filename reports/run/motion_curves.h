@@ -37,13 +37,13 @@ namespace swimtwin
   /// counter-clockwise.
   double stroke_loop_area_rad2(Rows rows);
 
-  /// Averages over the interval between two rows, in W/m. The residual is power in - dissipation - elastic rate; its
-  /// time integral is the imbalance that the summary reports where that uses the trapezoidal rule too: everywhere but
-  /// right after a start under load (docs/equations.md, section 11).
+  /// Averages over the interval between two rows, in W/m. The residual is power in - dissipation - outflow - stored
+  /// rate; its time integral is the imbalance that the summary reports where that uses the trapezoidal rule too:
+  /// everywhere but right after a start under load (docs/equations.md, section 11).
   struct IntervalPower
   {
-    double time_s           = 0.; ///< middle of the interval
-    double elastic_rate_W_m = 0., residual_W_m = 0.;
+    double time_s          = 0.; ///< middle of the interval
+    double stored_rate_W_m = 0., residual_W_m = 0.;
   };
 
   std::vector<IntervalPower> interval_powers(Rows rows);

@@ -111,7 +111,7 @@ namespace swimtwin
         largest = std::max({largest, std::abs(row.magnetic_power_W_m), std::abs(row.external_power_W_m),
                             std::abs(row.dissipation_W_m)});
       for (const IntervalPower &power : interval_powers(rows))
-        largest = std::max(largest, std::abs(power.elastic_rate_W_m));
+        largest = std::max(largest, std::abs(power.stored_rate_W_m));
       if (largest >= 1.)
         return {"W/m", 1.};
       if (largest >= 1e-3)
@@ -134,7 +134,8 @@ namespace swimtwin
       picture.set_flag("has_magnetic", any_nonzero(rows, &TrajectoryRow::magnetic_power_W_m));
       picture.set_flag("has_external", any_nonzero(rows, &TrajectoryRow::external_power_W_m));
       picture.set_flag("has_dissipation", any_nonzero(rows, &TrajectoryRow::dissipation_W_m));
-      picture.set_flag("has_elastic", any_nonzero(rows, &TrajectoryRow::elastic_energy_J_m));
+      picture.set_flag("has_stored", any_nonzero(rows, &TrajectoryRow::elastic_energy_J_m) ||
+                                         any_nonzero(rows, &TrajectoryRow::kinetic_energy_J_m));
     }
   } // namespace
 
@@ -215,15 +216,15 @@ namespace swimtwin
     for (const TrajectoryRow &row : rows)
       picture.table.add_row({run.time(row.time_s), unit.factor * row.magnetic_power_W_m,
                              unit.factor * row.external_power_W_m, unit.factor * row.dissipation_W_m});
-    picture.table.begin_block(fmt::format("{}, rate of elastic energy ({}), residual (%)", run.axis.label, unit.name));
+    picture.table.begin_block(fmt::format("{}, rate of stored energy ({}), residual (%)", run.axis.label, unit.name));
     for (const IntervalPower &power : interval_powers(rows))
-      picture.table.add_row({run.time(power.time_s), unit.factor * power.elastic_rate_W_m,
+      picture.table.add_row({run.time(power.time_s), unit.factor * power.stored_rate_W_m,
                              scale > 0. ? percent * power.residual_W_m / scale : 0.});
     set_time_axis(picture, run, rows);
     set_shown_powers(picture, rows);
     picture.set_flag("has_residual", scale > 0.);
     picture.set_text("power_unit", unit.name);
-    picture.set_text("residual_title", "power in − dissipation − rate of elastic energy, in % of the mean power");
+    picture.set_text("residual_title", "power in − dissipation − rate of stored energy, in % of the mean power");
     return picture;
   }
 

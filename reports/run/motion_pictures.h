@@ -14,7 +14,7 @@ namespace swimtwin
   /// Tail against head angle, with the area enclosed in the last period. For a head that moves, a tail, a full period.
   GnuplotPicture stroke_loop_picture(const ShownRun &run);
 
-  /// Magnetic power, dissipation and rate of elastic energy over the last periods, above their residual.
+  /// Magnetic power, dissipation and rate of stored energy over the last periods, above their residual.
   GnuplotPicture power_balance_picture(const ShownRun &run);
 
   /// Whether any power or elastic energy was recorded.

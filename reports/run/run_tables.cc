@@ -73,8 +73,10 @@ namespace swimtwin
     return {{"in the last full period", "µJ/m", "%"},
             {row("magnetic work", balance.magnetic_J_m),
              row("work of gravity, walls and inflows", balance.external_J_m),
-             row("viscous dissipation", balance.dissipated_J_m), row("gain of elastic energy", balance.stored_J_m),
-             row("missing", balance.missing_J_m())}};
+             row("viscous dissipation", balance.dissipated_J_m),
+             row("gain of elastic and kinetic energy", balance.stored_J_m),
+             row("kinetic energy that left with the fluid", balance.outflow_J_m), row("missing", balance.missing_J_m()),
+             row("of this taken by the time steps from inertia", balance.numerical_J_m)}};
   }
 
   HtmlTable imbalance_table(const RunSummary &summary)

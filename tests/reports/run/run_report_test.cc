@@ -105,9 +105,10 @@ namespace swimtwin
 
   TEST_F(RunReport, WorksOfTheLastPeriodLeaveTheImbalanceOfTheSummary)
   {
-    const std::string text    = page();
-    const auto        work    = [&](const char *row) { return number_in(cells_of(text, row).at(0)); };
-    const double      missing = work("magnetic work") - work("viscous dissipation") - work("gain of elastic energy");
+    const std::string text = page();
+    const auto        work = [&](const char *row) { return number_in(cells_of(text, row).at(0)); };
+    const double      missing =
+        work("magnetic work") - work("viscous dissipation") - work("gain of elastic and kinetic energy");
     EXPECT_NEAR(missing, work("missing"), 1e-5 * work("magnetic work"));
     EXPECT_NEAR(number_in(cells_of(text, "missing").at(1)), 100 * summary.power_imbalance.value(), 1e-3);
   }
@@ -174,7 +175,7 @@ namespace swimtwin
   {
     summary.work_of_last_period = WorkBalance{3e-6, 0., 1e-6, 2e-6};
     EXPECT_EQ(cells_of(page(), "magnetic work").at(0), "3");
-    EXPECT_EQ(cells_of(page(), "gain of elastic energy").at(0), "2");
+    EXPECT_EQ(cells_of(page(), "gain of elastic and kinetic energy").at(0), "2");
   }
 
   TEST_F(RunReport, SceneThatCannotBeReadLeavesThePageWithAWarning)
