@@ -26,7 +26,8 @@ namespace swimtwin
       const std::vector<int> kept = kept_amplitudes(tail, k);
       tail.modes                  = tail.modes(Eigen::all, kept).eval();
       tail.parity                 = tail.parity(kept).eval();
-      tail.followers              = tail.followers.leftCols(k * (k + 1) / 2).eval();
+      if (tail.followers.cols() > 0)
+        tail.followers = tail.followers.leftCols(k * (k + 1) / 2).eval();
       return tail;
     }
 

@@ -45,8 +45,9 @@ namespace swimtwin
     result.objective   = evaluation.objective / scales.objective;
     result.gradient    = evaluation.gradient.cwiseProduct(scales.variables) / scales.objective;
     result.constraints = evaluation.constraints.cwiseQuotient(scales.constraints);
-    result.jacobian =
-        scales.constraints.cwiseInverse().asDiagonal() * evaluation.jacobian * scales.variables.asDiagonal();
+    if (evaluation.constraints.size() > 0)
+      result.jacobian =
+          scales.constraints.cwiseInverse().asDiagonal() * evaluation.jacobian * scales.variables.asDiagonal();
     result.failure = evaluation.failure;
     return result;
   }
