@@ -93,8 +93,13 @@ namespace swimtwin
       /// Runs of earlier versions lack it.
       void operator()(const char *key, std::optional<WorkBalance> &value) const
       {
-        if (json_.contains(key))
-          operator()<std::optional<WorkBalance>>(key, value);
+        if (!json_.contains(key))
+          return;
+        Json padded = {{key, json_.at(key)}};
+        for (const char *later : {"outflow_J_m", "numerical_J_m"})
+          if (padded[key].is_object() && !padded[key].contains(later))
+            padded[key][later] = 0.;
+        JsonObject(file_, padded).operator()<std::optional<WorkBalance>>(key, value);
       }
 
     private:

@@ -18,6 +18,7 @@ namespace swimtwin
     {
       const char                                                                        *name;
       std::variant<double TrajectoryRow::*, int TrajectoryRow::*, bool TrajectoryRow::*> member;
+      bool may_be_missing = false; ///< in tables of earlier versions
     };
 
     const std::array<Column, 25> columns{{
@@ -34,15 +35,15 @@ namespace swimtwin
         {"external_power_W_m", &TrajectoryRow::external_power_W_m},
         {"dissipation_W_m", &TrajectoryRow::dissipation_W_m},
         {"elastic_energy_J_m", &TrajectoryRow::elastic_energy_J_m},
-        {"kinetic_energy_J_m", &TrajectoryRow::kinetic_energy_J_m},
-        {"kinetic_outflow_W_m", &TrajectoryRow::kinetic_outflow_W_m},
-        {"kinetic_growth_W_m", &TrajectoryRow::kinetic_growth_W_m},
+        {"kinetic_energy_J_m", &TrajectoryRow::kinetic_energy_J_m, true},
+        {"kinetic_outflow_W_m", &TrajectoryRow::kinetic_outflow_W_m, true},
+        {"kinetic_growth_W_m", &TrajectoryRow::kinetic_growth_W_m, true},
         {"head_force_x_N_m", &TrajectoryRow::head_force_x_N_m},
         {"head_force_y_N_m", &TrajectoryRow::head_force_y_N_m},
         {"head_torque_N", &TrajectoryRow::head_torque_N},
-        {"fluid_force_x_N_m", &TrajectoryRow::fluid_force_x_N_m},
-        {"fluid_force_y_N_m", &TrajectoryRow::fluid_force_y_N_m},
-        {"fluid_torque_N", &TrajectoryRow::fluid_torque_N},
+        {"fluid_force_x_N_m", &TrajectoryRow::fluid_force_x_N_m, true},
+        {"fluid_force_y_N_m", &TrajectoryRow::fluid_force_y_N_m, true},
+        {"fluid_torque_N", &TrajectoryRow::fluid_torque_N, true},
         {"coupling_iterations", &TrajectoryRow::coupling_iterations},
         {"n_unknowns", &TrajectoryRow::n_unknowns},
         {"remeshed", &TrajectoryRow::remeshed},
@@ -153,6 +154,8 @@ namespace swimtwin
     Trajectory     trajectory(table.n_rows());
     for (const Column &column : columns)
     {
+      if (column.may_be_missing && !table.has_column(column.name))
+        continue;
       const std::vector<double> values = table.column(column.name);
       for (std::size_t i = 0; i < values.size(); ++i)
         set_value(trajectory[i], column, values[i]);

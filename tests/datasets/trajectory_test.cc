@@ -191,6 +191,21 @@ namespace swimtwin
     EXPECT_EQ(n_files(folder.path), 0u);
   }
 
+  TEST(TrajectoryCsv, ReadsATableFromBeforeInertia)
+  {
+    const TemporaryFolder folder;
+    const auto            file = folder.write(
+                   "trajectory.csv", "time_s,head_x_m,head_y_m,head_angle_rad,tail_tip_x_m,tail_tip_y_m,tail_angle_rad,bx_T,by_T,"
+                                                "magnetic_power_W_m,external_power_W_m,dissipation_W_m,elastic_energy_J_m,"
+                                                "head_force_x_N_m,head_force_y_N_m,head_torque_N,coupling_iterations,n_unknowns,remeshed\n"
+                                                "0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,1\n");
+    const Trajectory read = read_trajectory_csv(file);
+    ASSERT_EQ(read.size(), 1u);
+    EXPECT_EQ(read[0].head_torque_N, 15.);
+    EXPECT_EQ(read[0].kinetic_energy_J_m, 0.);
+    EXPECT_TRUE(read[0].remeshed);
+  }
+
   TEST(TrajectoryCsv, NamesAMissingColumn)
   {
     const TemporaryFolder folder;
