@@ -94,7 +94,7 @@ namespace swimtwin
 
   Eigen::MatrixXd tail_positions(const ReducedTail &tail, const SwimmerState &state)
   {
-    const Eigen::VectorXd d = tail_displacement(tail, state.tail(tail.modes.cols()));
+    const Eigen::VectorXd d = tail_displacement(tail, state.tail(tail.n_coordinates()));
     const Eigen::MatrixXd in_head_frame =
         tail.nodes_m +
         Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>>(d.data(), tail.nodes_m.rows(), 2);
@@ -105,7 +105,7 @@ namespace swimtwin
   SnapshotSet reconstruct(const ReducedTail &tail, const Drive &drive, const std::vector<ReducedSnapshot> &snapshots)
   {
     const auto         n = static_cast<Eigen::Index>(snapshots.size());
-    const Eigen::Index r = tail.modes.cols();
+    const Eigen::Index r = tail.n_coordinates();
     SnapshotSet        set;
     set.tail_nodes_m        = tail.nodes_m;
     set.tail_cells          = tail.cells;
