@@ -75,6 +75,32 @@ namespace swimtwin
     EXPECT_LE((rate - set.tail_velocity_m_s.row(5).transpose()).norm(), 0.2 * rate.norm());
   }
 
+  // Followers are amplitudes that the state does not have: shapes come from its coordinates.
+  TEST(TailsWithFollowers, SnapshotsHoldTheRun)
+  {
+    const ReducedModel model   = example_model({.n_followers = 2});
+    RunRequest         request = example_request(model);
+    request.samples_per_period = 10;
+    request.n_periods          = 1;
+    const ReducedSwimmer swimmer(model);
+    const SwimmerRun     run = SwimmerIntegrator(swimmer, {}).run(request);
+    const SnapshotSet    set = reconstruct(model.tail, request.drive, run.snapshots);
+    ASSERT_EQ(run.snapshots.size(), 11u);
+    for (int i = 0; i < 11; ++i)
+    {
+      const SwimmerState   &state = run.snapshots[i].state;
+      const Eigen::VectorXd shape = tail_displacement(model.tail, state.tail(model.n_modes()));
+      EXPECT_EQ(set.tail_displacement_m.row(i).transpose(), shape);
+      const Eigen::MatrixXd    there = tail_positions(model.tail, state);
+      const Eigen::Rotation2Dd R(state[2]);
+      for (int a = 0; a < there.rows(); ++a)
+        EXPECT_LE((there.row(a).transpose() - state.head<2>() -
+                   R * Eigen::Vector2d(model.tail.nodes_m.row(a).transpose() + shape.segment<2>(2 * a)))
+                      .norm(),
+                  1e-15);
+    }
+  }
+
   TEST_F(Tails, VelocityIsTheRateOfTheDisplacement)
   {
     const ReducedTail     tail = example_model({.n_followers = 2}).tail;
