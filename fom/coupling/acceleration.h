@@ -2,7 +2,6 @@
 #pragma once
 
 #include <datasets/scene.h>
-#include <fom/body/elastic_tail.h>
 
 #include <Eigen/Dense>
 
@@ -63,27 +62,6 @@ namespace swimtwin
     std::vector<std::vector<Difference>> problems_; ///< oldest first; the present one last
     Eigen::VectorXd                      residual_before_, image_before_;
   };
-
-  /// A nodal field as what is iterated on, and back.
-  template <int dim>
-  Eigen::VectorXd vector_of(const NodalField<dim> &field)
-  {
-    Eigen::VectorXd values(field.size() * dim);
-    for (unsigned int a = 0; a < field.size(); ++a)
-      for (int c = 0; c < dim; ++c)
-        values[a * dim + c] = field[a][c];
-    return values;
-  }
-
-  template <int dim>
-  NodalField<dim> nodal_field(const Eigen::VectorXd &values)
-  {
-    NodalField<dim> field(values.size() / dim);
-    for (unsigned int a = 0; a < field.size(); ++a)
-      for (int c = 0; c < dim; ++c)
-        field[a][c] = values[a * dim + c];
-    return field;
-  }
 
   std::unique_ptr<Acceleration> make_acceleration(const Numerics &numerics);
 } // namespace swimtwin

@@ -167,7 +167,7 @@ namespace swimtwin
     if (is_carried)
     {
       const std::vector<double> next = map_.expand(unknowns);
-      flow_change_ = {fluid_->distance(next, iterate), fluid_->distance(next, std::vector<double>(next.size(), 0.))};
+      flow_change_                   = {fluid_->distance(next, iterate), fluid_->distance(next)};
     }
     return true;
   }

@@ -1,5 +1,7 @@
 #include <fom/coupling/fixed_point_coupling.h>
 
+#include <fom/body/nodal_vector.h>
+
 #include <fom/algebra/cpu_time.h>
 
 #include <cmath>

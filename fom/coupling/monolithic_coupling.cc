@@ -2,6 +2,7 @@
 
 #include <datasets/error.h>
 #include <fom/algebra/cpu_time.h>
+#include <fom/body/nodal_vector.h>
 
 #include <algorithm>
 
@@ -183,11 +184,11 @@ namespace swimtwin
   {
     if (!fluid_ || unknowns_.empty())
       return 0.;
-    const auto now = system_->expand(unknowns_);
-    const auto before =
-        system_->expand(unknowns_before_.empty() ? std::vector<double>(unknowns_.size(), 0.) : unknowns_before_);
-    const double size = fluid_->distance(now, std::vector<double>(now.size(), 0.));
-    return size > 0. ? fluid_->distance(now, before) / size : 0.;
+    const auto   now  = system_->expand(unknowns_);
+    const double size = fluid_->distance(now);
+    if (unknowns_before_.empty())
+      return size > 0. ? 1. : 0.;
+    return size > 0. ? fluid_->distance(now, system_->expand(unknowns_before_)) / size : 0.;
   }
 
   template <int dim>

@@ -169,8 +169,9 @@ namespace swimtwin
     for (unsigned int i = 0; i < mesh().n_nodes(); ++i)
       for (int c = 0; c < dim; ++c)
       {
-        const auto row = numbering_.vector_index(i, c);
-        sum += (values[row] - others[row]) * (values[row] - others[row]);
+        const auto   row        = numbering_.vector_index(i, c);
+        const double difference = values[row] - (others.empty() ? 0. : others[row]);
+        sum += difference * difference;
       }
     return std::sqrt(sum / mesh().n_nodes());
   }
@@ -210,14 +211,14 @@ namespace swimtwin
         for (unsigned int q = 0; q < map_.n_points(); ++q)
           load[n_cell_nodes<dim> * dim + v] -=
               pressure_scale_ * source / volume_ * map_.weight(q) * map_.linear_value(q, v);
-      if (terms_.of_fluid() && slope_weight_ > 0.)
+      if (slope_weight_ > 0.) // of a step with inertia
       {
         const CellFlow<dim> flow = cell_flow(cell, iterate);
         if (inertia.rate_1_s > 0.)
           add_unsteady_term<dim>(map_, inertia, flow, K, load);
         if (solves_for_convection_)
           add_linearized_convection<dim>(map_, inertia, flow, K, load);
-        else if (terms_.of_fluid())
+        else
           add_convection_as_load<dim>(map_, inertia, flow, load);
       }
       condensation.add(k, K, load);

@@ -67,8 +67,8 @@ namespace swimtwin
     /// Whether the convective term is solved for, which makes the matrix unsymmetric; else it is taken from the
     /// iterate.
     bool solves_for_convection() const { return solves_for_convection_; }
-    /// Distance between two flows, as the root mean square over the nodes (m/s).
-    double distance(const std::vector<double> &values, const std::vector<double> &others) const;
+    /// Distance between two flows, as the root mean square over the nodes (m/s); from rest without a second one.
+    double distance(const std::vector<double> &values, const std::vector<double> &others = {}) const;
 
     /// Add the fluid's cells to an assembly: once to describe them, then at every new position or time.
     void add_cells(Condensation<dim> &condensation) const;

@@ -1,5 +1,6 @@
 #include <rom/training/flow_reconstruction.h>
 
+#include <fom/body/nodal_vector.h>
 #include <datasets/error.h>
 #include <fom/body/mesh_around.h>
 #include <fom/resistance/motion_resistance.h>
@@ -29,7 +30,7 @@ namespace swimtwin
       Configuration<2> configuration = swimmer.configuration_at_rest();
       configuration.pose.center      = dealii::Point<2>(state[0], state[1]);
       configuration.pose.angle       = state[2];
-      configuration.shape            = nodal_field(tail_displacement(tail, state.tail(tail.n_coordinates())));
+      configuration.shape            = nodal_field<2>(tail_displacement(tail, state.tail(tail.n_coordinates())));
       return configuration;
     }
 
@@ -39,7 +40,7 @@ namespace swimtwin
       Rates<2>  rates;
       rates.velocity   = dealii::Tensor<1, 2>({snapshot.rate[0], snapshot.rate[1]});
       rates.omega[0]   = snapshot.rate[2];
-      rates.shape_rate = nodal_field(tail_velocity(tail, snapshot.state.tail(r), snapshot.rate.tail(r)));
+      rates.shape_rate = nodal_field<2>(tail_velocity(tail, snapshot.state.tail(r), snapshot.rate.tail(r)));
       return rates;
     }
 

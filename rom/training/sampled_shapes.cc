@@ -1,5 +1,6 @@
 #include <rom/training/sampled_shapes.h>
 
+#include <fom/body/nodal_vector.h>
 #include <rom/dense_algebra.h>
 
 #include <algorithm>
@@ -35,7 +36,7 @@ namespace swimtwin
           RigidPose<2> pose;
           pose.center = dealii::Point<2>(set.pose(k, 0), set.pose(k, 1));
           pose.angle  = set.pose(k, 2);
-          return pose.to_laboratory(swimmer.arm_to_middle(nodal_field(set.tail_displacement_m.row(k).transpose())));
+          return pose.to_laboratory(swimmer.arm_to_middle(nodal_field<2>(set.tail_displacement_m.row(k).transpose())));
         };
         for (Eigen::Index k = 0; k < set.pose.rows(); ++k)
           ways.push_back(middle(k) - middle(0));

@@ -1,5 +1,6 @@
 #include <rom/training/shape_sampler.h>
 
+#include <fom/body/nodal_vector.h>
 #include <datasets/error.h>
 #include <fom/resistance/motion_resistance.h>
 
@@ -7,14 +8,6 @@
 
 namespace swimtwin
 {
-  NodalField<2> nodal_field(const Eigen::VectorXd &components)
-  {
-    NodalField<2> field(components.size() / 2);
-    for (std::size_t a = 0; a < field.size(); ++a)
-      field[a] = dealii::Tensor<1, 2>({components(2 * a), components(2 * a + 1)});
-    return field;
-  }
-
   ShapeSampler::ShapeSampler(const Scene &scene, const TailBasis &basis, const UsualPlace &place, SampleStore &store,
                              const MPI_Comm communicator)
       : scene_(scene), basis_(basis), place_(place), store_(store), communicator_(communicator),
@@ -27,7 +20,7 @@ namespace swimtwin
     Configuration<2> c      = swimmer_.configuration_at_rest();
     const auto       middle = c.pose.to_laboratory(swimmer_.arm_to_middle(c.shape));
     c.pose.angle            = point.angle_rad;
-    c.shape                 = nodal_field(basis_.displacement(point.q));
+    c.shape                 = nodal_field<2>(basis_.displacement(point.q));
     // A body without force turns about its middle, so that is what stays where it was, not the head.
     c.pose.center = middle + dealii::Tensor<1, 2>({point.drift_x_m, point.drift_y_m + place_.height_m(point)}) -
                     c.pose.rotation() * swimmer_.arm_to_middle(c.shape);
@@ -42,7 +35,7 @@ namespace swimtwin
     const Eigen::MatrixXd      tangent = basis_.tangent(point.q);
     std::vector<NodalField<2>> modes;
     for (Eigen::Index k = 0; k < tangent.cols(); ++k)
-      modes.push_back(nodal_field(tangent.col(k)));
+      modes.push_back(nodal_field<2>(tangent.col(k)));
     try
     {
       const auto      R = compute_motion_resistance(swimmer_, c, modes, MPI_COMM_SELF).matrix;

@@ -44,6 +44,4 @@ namespace swimtwin
     Swimmer<2>       swimmer_;
   };
 
-  /// A tail's field from interleaved components.
-  NodalField<2> nodal_field(const Eigen::VectorXd &components);
 } // namespace swimtwin

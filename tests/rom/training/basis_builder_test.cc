@@ -1,5 +1,6 @@
 #include <rom/training/basis_builder.h>
 
+#include <fom/body/nodal_vector.h>
 #include <datasets/error.h>
 #include <fom/run/run_recorder.h>
 #include <rom/training/shape_sampler.h>
@@ -65,7 +66,7 @@ namespace swimtwin
     q << 4e-4, 0., 0., 0.;
     const Eigen::VectorXd bent = basis.coordinates * q, followed = basis.followers * basis.follower_amplitudes(q);
     const auto            energy = [&](const double share) {
-      return swimmer.elasticity().energy(nodal_field(bent + share * followed));
+      return swimmer.elasticity().energy(nodal_field<2>(bent + share * followed));
     };
     EXPECT_LT(energy(1.), .5 * energy(0.));
     EXPECT_LT(energy(1.), energy(.9));

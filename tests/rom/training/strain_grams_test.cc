@@ -1,5 +1,6 @@
 #include <rom/training/strain_grams.h>
 
+#include <fom/body/nodal_vector.h>
 #include <fom/run/run_recorder.h>
 #include <rom/training/basis_builder.h>
 #include <rom/training/shape_sampler.h>
@@ -75,14 +76,14 @@ namespace swimtwin
 
   TEST_F(StrainGramsTest, EnergyIsThatOfTheFullTail)
   {
-    const double expected = swimmer.elasticity().energy(nodal_field(modes * q));
+    const double expected = swimmer.elasticity().energy(nodal_field<2>(modes * q));
     EXPECT_NEAR(energy.value(q), expected, 1e-12 * expected);
   }
 
   TEST_F(StrainGramsTest, ForceIsTheProjectedForceOfTheFullTail)
   {
     const auto               &mesh  = swimmer.tail().mesh;
-    const NodalField<2>       shape = nodal_field(modes * q);
+    const NodalField<2>       shape = nodal_field<2>(modes * q);
     ElasticTail<2>::CellForce cell_force;
     Eigen::VectorXd           force = Eigen::VectorXd::Zero(modes.rows());
     for (unsigned int c = 0; c < mesh.n_cells(); ++c)
