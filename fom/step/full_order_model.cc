@@ -5,6 +5,7 @@
 #include <fom/body/mesh_around.h>
 #include <fom/fluid/flow_transfer.h>
 #include <fom/mesh/inverted_element.h>
+#include <fom/step/step_formula.h>
 
 #include <algorithm>
 #include <cmath>
@@ -73,7 +74,7 @@ namespace swimtwin
   void FullOrderModel<dim>::solve_initial_flow()
   {
     // Without a tail and inertia the velocities follow from the position alone; else the run starts from rest.
-    const TimeStep<dim> no_step{known_part(Bdf2(0., 0.)), 0., 0., 0., 0};
+    const TimeStep<dim> no_step{known_configuration(swimmer_, Bdf2(0., 0.), now_, now_), 0., 0., 0., 0};
     if (coupling_->solve(no_step, now_.configuration, now_.rates) != StepOutcome::accepted)
       throw ComputationError("the flow at the start could not be solved: refine [numerics] mesh_size_m");
     balance_ = compute_balance();
@@ -218,73 +219,18 @@ namespace swimtwin
   }
 
   template <int dim>
-  Configuration<dim> FullOrderModel<dim>::known_part(const Bdf2 &bdf) const
-  {
-    const Configuration<dim> &now = now_.configuration, &before = time_step_before_ > 0. ? before_.configuration : now;
-    Configuration<dim>        known;
-    const auto                middle = [this](const Configuration<dim> &c) -> Tensor<1, dim> {
-      return c.pose.to_laboratory(swimmer_.arm_to_middle(c.shape));
-    };
-    known.pose.center = Point<dim>(bdf.known(middle(now), middle(before)));
-    known.pose.angle  = bdf.known(now.pose.angle, before.pose.angle);
-    known.shape.resize(now.shape.size());
-    for (unsigned int a = 0; a < now.shape.size(); ++a)
-      known.shape[a] = bdf.known(now.shape[a], before.shape[a]);
-    return known;
-  }
-
-  template <int dim>
-  Rates<dim> FullOrderModel<dim>::extrapolated_rates(const double growth) const
-  {
-    Rates<dim> result = now_.rates;
-    if (growth == 0.)
-      return result;
-    result.velocity += growth * (now_.rates.velocity - before_.rates.velocity);
-    result.omega += growth * (now_.rates.omega - before_.rates.omega);
-    for (unsigned int a = 0; a < result.shape_rate.size(); ++a)
-      result.shape_rate[a] += growth * (now_.rates.shape_rate[a] - before_.rates.shape_rate[a]);
-    return result;
-  }
-
-  template <int dim>
-  std::optional<BodyVelocities<dim>> FullOrderModel<dim>::known_velocities(const Bdf2 &bdf) const
-  {
-    if (!swimmer_.inertia().of_body())
-      return std::nullopt;
-    const Instant<dim>       &then   = time_step_before_ > 0. ? before_ : now_;
-    const BodyVelocities<dim> now    = swimmer_.velocities(now_.configuration, now_.rates),
-                              before = swimmer_.velocities(then.configuration, then.rates);
-    BodyVelocities<dim> known{bdf.known(now.head, before.head), bdf.known(now.omega, before.omega), {}};
-    for (unsigned int a = 0; a < now.tail.size(); ++a)
-      known.tail.push_back(bdf.known(now.tail[a], before.tail[a]));
-    return known;
-  }
-
-  template <int dim>
-  std::optional<BodyVelocities<dim>> FullOrderModel<dim>::acceleration(const TimeStep<dim> &step) const
-  {
-    if (!step.known_velocities)
-      return std::nullopt;
-    const BodyVelocities<dim> &known = *step.known_velocities;
-    BodyVelocities<dim>        a     = swimmer_.velocities(now_.configuration, now_.rates);
-    a.head                           = (a.head - known.head) / step.slope_weight;
-    a.omega                          = (a.omega - known.omega) / step.slope_weight;
-    for (unsigned int i = 0; i < a.tail.size(); ++i)
-      a.tail[i] = (a.tail[i] - known.tail[i]) / step.slope_weight;
-    return a;
-  }
-
-  template <int dim>
   StepOutcome FullOrderModel<dim>::try_step(const double dt)
   {
     const Bdf2          bdf(dt, time_step_before_);
     const double        growth = time_step_before_ > 0. ? dt / time_step_before_ : 0.;
-    const TimeStep<dim> step{known_part(bdf), bdf.slope_weight, now_.time_s + dt,
-                             growth,          counts_.n_steps,  known_velocities(bdf)};
+    const Instant<dim> &before = time_step_before_ > 0. ? before_ : now_;
+    const TimeStep<dim> step{
+        known_configuration(swimmer_, bdf, now_, before), bdf.slope_weight, now_.time_s + dt, growth, counts_.n_steps,
+        known_velocities(swimmer_, bdf, now_, before)};
     if (fluid_)
       fluid_->begin_step(bdf);
 
-    Rates<dim>         rates         = extrapolated_rates(growth);
+    Rates<dim>         rates         = extrapolated_rates(now_, before, growth);
     Configuration<dim> configuration = step.known;
     configuration.pose.angle += bdf.slope_weight * rates.omega[0];
     for (unsigned int a = 0; a < configuration.shape.size(); ++a)
@@ -307,7 +253,7 @@ namespace swimtwin
     before_                           = std::move(now_);
     time_step_before_                 = dt;
     now_                              = {before_.time_s + dt, std::move(configuration), std::move(rates)};
-    const PowerBalance balance_before = std::exchange(balance_, compute_balance(acceleration(step)));
+    const PowerBalance balance_before = std::exchange(balance_, compute_balance(acceleration(swimmer_, step, now_)));
     if (fluid_)
       fluid_->end_step(coupling_->fluid_values());
     if (work_)

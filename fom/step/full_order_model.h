@@ -2,7 +2,6 @@
 #pragma once
 
 #include <fom/coupling/coupling.h>
-#include <fom/algebra/bdf2.h>
 #include <fom/step/start_work.h>
 
 #include <memory>
@@ -66,18 +65,13 @@ namespace swimtwin
     int               next_ticks(int done, int largest) const;
     [[noreturn]] void give_up(StepOutcome outcome, int halvings) const;
     void              accept(double dt, const TimeStep<dim> &step, Configuration<dim> configuration, Rates<dim> rates);
-    /// By the step's formula, of a body with inertia.
-    std::optional<BodyVelocities<dim>> acceleration(const TimeStep<dim> &step) const;
-    Configuration<dim>                 known_part(const Bdf2 &bdf) const;
-    Rates<dim>                         extrapolated_rates(double growth) const;
-    std::optional<BodyVelocities<dim>> known_velocities(const Bdf2 &bdf) const;
-    void                               advance_in_time();
-    void                               advance_to_steady_state();
-    bool                               wants_remeshing() const;
-    bool         remesh(); ///< false if the new mesh would have an element inside out; the old one then stays
-    void         use_fluid(std::unique_ptr<FluidDomain<dim>> fluid);
-    void         solve_initial_flow();
-    PowerBalance compute_balance(const std::optional<BodyVelocities<dim>> &acceleration = {}) const;
+    void              advance_in_time();
+    void              advance_to_steady_state();
+    bool              wants_remeshing() const;
+    bool              remesh(); ///< false if the new mesh would have an element inside out; the old one then stays
+    void              use_fluid(std::unique_ptr<FluidDomain<dim>> fluid);
+    void              solve_initial_flow();
+    PowerBalance      compute_balance(const std::optional<BodyVelocities<dim>> &acceleration = {}) const;
 
     const Scene                      &scene_;
     MPI_Comm                          communicator_;

@@ -43,6 +43,16 @@ namespace swimtwin
         return {fluid.positions(), std::vector<Tensor<1, 2>>(fluid.mesh().n_nodes(), velocity)};
       }
 
+      /// The mesh's past moves, the fluid's is the stream.
+      void stream_until_now()
+      {
+        FluidPast<2> past;
+        past.before = motion(swimmer_.fluid, stream);
+        follow(1);
+        past.now = motion(swimmer_.fluid, stream);
+        swimmer_.fluid.set_past(past);
+      }
+
       /// Values of the fluid's rows: that velocity, no pressure.
       std::vector<double> values(const FluidDomain<2> &fluid, const Tensor<1, 2> &velocity) const
       {
@@ -70,11 +80,7 @@ namespace swimtwin
   TEST_F(StreamThroughMovingMesh, ExertsNoForce)
   {
     FluidDomain<2> &fluid = swimmer_.fluid;
-    FluidPast<2>    past;
-    past.before = motion(fluid, stream);
-    follow(1);
-    past.now = motion(fluid, stream);
-    fluid.set_past(past);
+    stream_until_now();
     fluid.begin_step(step_);
     follow(2);
     const FluidReaction reaction = fluid.react(values(fluid, stream));
@@ -86,16 +92,10 @@ namespace swimtwin
 
   TEST_F(StreamThroughMovingMesh, CrossesARemeshing)
   {
-    FluidDomain<2> &old = swimmer_.fluid;
-    FluidPast<2>    past;
-    past.before = motion(old, stream);
-    follow(1);
-    past.now = motion(old, stream);
-    old.set_past(past);
-
+    stream_until_now();
     const Configuration<2> c = configuration(1);
     FluidDomain<2>         fresh(swimmer_.scene, mesh_around(swimmer_.swimmer, c, MPI_COMM_WORLD), c.pose);
-    fresh.set_past(transfer_past(old, fresh));
+    fresh.set_past(transfer_past(swimmer_.fluid, fresh));
     fresh.begin_step(step_);
     const Configuration<2> next = configuration(2);
     ASSERT_GT(fresh.follow(swimmer_.swimmer.surface(next), next.pose), .05);

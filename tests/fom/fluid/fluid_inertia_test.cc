@@ -42,6 +42,19 @@ namespace swimtwin
         return result;
       }
 
+      /// K u - load at the iterate is the force there.
+      void expect_the_force(const FluidCellMatrix<2> &K, const Load &load) const
+      {
+        const Load here = force(flow);
+        for (unsigned int row = 0; row < 12; ++row)
+        {
+          double linear = -load[row];
+          for (unsigned int column = 0; column < 12; ++column)
+            linear += K[row][column] * flow.fluid[column / 2][column % 2];
+          EXPECT_NEAR(linear, here[row], 1e-13);
+        }
+      }
+
       IsoparametricCell<2> cell;
       FluidInertia         inertia{.density_kg_m3 = 1.7, .rate_1_s = 2.3, .is_convective = true};
       CellFlow<2>          flow;
@@ -64,14 +77,7 @@ namespace swimtwin
       Load               load{};
       add_unsteady_term<2>(cell, inertia, flow, K, load);
       add_linearized_convection<2>(cell, inertia, flow, K, load);
-      const Load here = force(flow);
-      for (unsigned int row = 0; row < 12; ++row)
-      {
-        double linear = -load[row];
-        for (unsigned int column = 0; column < 12; ++column)
-          linear += K[row][column] * flow.fluid[column / 2][column % 2];
-        EXPECT_NEAR(linear, here[row], 1e-13);
-      }
+      expect_the_force(K, load);
       constexpr double h = 1e-6;
       for (unsigned int column = 0; column < 12; ++column)
       {
@@ -90,14 +96,7 @@ namespace swimtwin
       Load               load{};
       add_unsteady_term<2>(cell, inertia, flow, K, load);
       add_convection_as_load<2>(cell, inertia, flow, load);
-      const Load here = force(flow);
-      for (unsigned int row = 0; row < 12; ++row)
-      {
-        double sum = -load[row];
-        for (unsigned int column = 0; column < 12; ++column)
-          sum += K[row][column] * flow.fluid[column / 2][column % 2];
-        EXPECT_NEAR(sum, here[row], 1e-13);
-      }
+      expect_the_force(K, load);
     }
 
     // Nodes that go with the fluid carry nothing past them, whatever the solution: their columns have no reaction.

@@ -1,0 +1,73 @@
+#include <fom/step/step_formula.h>
+
+namespace swimtwin
+{
+  using namespace dealii;
+
+  template <int dim>
+  Configuration<dim> known_configuration(const Swimmer<dim> &swimmer, const Bdf2 &bdf, const Instant<dim> &now,
+                                         const Instant<dim> &before)
+  {
+    const Configuration<dim> &last = now.configuration, &first = before.configuration;
+    const auto                middle = [&](const Configuration<dim> &c) -> Tensor<1, dim> {
+      return c.pose.to_laboratory(swimmer.arm_to_middle(c.shape));
+    };
+    Configuration<dim> known;
+    known.pose.center = Point<dim>(bdf.known(middle(last), middle(first)));
+    known.pose.angle  = bdf.known(last.pose.angle, first.pose.angle);
+    known.shape.resize(last.shape.size());
+    for (unsigned int a = 0; a < last.shape.size(); ++a)
+      known.shape[a] = bdf.known(last.shape[a], first.shape[a]);
+    return known;
+  }
+
+  template <int dim>
+  std::optional<BodyVelocities<dim>> known_velocities(const Swimmer<dim> &swimmer, const Bdf2 &bdf,
+                                                      const Instant<dim> &now, const Instant<dim> &before)
+  {
+    if (!swimmer.inertia().of_body())
+      return std::nullopt;
+    const BodyVelocities<dim> last  = swimmer.velocities(now.configuration, now.rates),
+                              first = swimmer.velocities(before.configuration, before.rates);
+    BodyVelocities<dim> known{bdf.known(last.head, first.head), bdf.known(last.omega, first.omega), {}};
+    for (unsigned int a = 0; a < last.tail.size(); ++a)
+      known.tail.push_back(bdf.known(last.tail[a], first.tail[a]));
+    return known;
+  }
+
+  template <int dim>
+  Rates<dim> extrapolated_rates(const Instant<dim> &now, const Instant<dim> &before, const double growth)
+  {
+    Rates<dim> result = now.rates;
+    if (growth == 0.)
+      return result;
+    result.velocity += growth * (now.rates.velocity - before.rates.velocity);
+    result.omega += growth * (now.rates.omega - before.rates.omega);
+    for (unsigned int a = 0; a < result.shape_rate.size(); ++a)
+      result.shape_rate[a] += growth * (now.rates.shape_rate[a] - before.rates.shape_rate[a]);
+    return result;
+  }
+
+  template <int dim>
+  std::optional<BodyVelocities<dim>> acceleration(const Swimmer<dim> &swimmer, const TimeStep<dim> &step,
+                                                  const Instant<dim> &now)
+  {
+    if (!step.known_velocities)
+      return std::nullopt;
+    const BodyVelocities<dim> &known = *step.known_velocities;
+    BodyVelocities<dim>        a     = swimmer.velocities(now.configuration, now.rates);
+    a.head                           = (a.head - known.head) / step.slope_weight;
+    a.omega                          = (a.omega - known.omega) / step.slope_weight;
+    for (unsigned int i = 0; i < a.tail.size(); ++i)
+      a.tail[i] = (a.tail[i] - known.tail[i]) / step.slope_weight;
+    return a;
+  }
+
+  template Configuration<2>                 known_configuration<2>(const Swimmer<2> &, const Bdf2 &, const Instant<2> &,
+                                                   const Instant<2> &);
+  template std::optional<BodyVelocities<2>> known_velocities<2>(const Swimmer<2> &, const Bdf2 &, const Instant<2> &,
+                                                                const Instant<2> &);
+  template Rates<2>                         extrapolated_rates<2>(const Instant<2> &, const Instant<2> &, double);
+  template std::optional<BodyVelocities<2>> acceleration<2>(const Swimmer<2> &, const TimeStep<2> &,
+                                                            const Instant<2> &);
+} // namespace swimtwin
