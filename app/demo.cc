@@ -59,7 +59,7 @@ namespace swimtwin
       const auto pictures = draw_beside_results(
           common.output,
           {frequency_picture(curves, "reduced swimmer",
-                             {"full-order model", full_order_curves(scene.head.magnetization_A_m)})},
+                             {"full order, without inertia", full_order_curves(scene.head.magnetization_A_m)})},
           common.command_line);
       if (common.quiet)
         return;
@@ -82,7 +82,8 @@ namespace swimtwin
     void fit(const CommonOptions &common)
     {
       if (!common.quiet)
-        say("\nA fit to twelve noisy displacements (synthetic, made by the full-order model with E/mu = 52632 1/s "
+        say("\nA fit to twelve noisy displacements (synthetic, made by the full-order model without inertia, with E/mu "
+            "= 52632 1/s "
             "and M/mu = 131579 A/(m Pa s)):\n");
       CalibrateCommand command;
       command.common  = in_folder(common, "fit");

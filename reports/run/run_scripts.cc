@@ -99,7 +99,7 @@ if (has_residual) { set format x '' }
 plot data index 0 using 1:(has_magnetic ? $2 : NaN) with lines lw 2.4 lc rgb magnetic_color title (has_magnetic ? 'magnetic power' : ''), \
      data index 0 using 1:(has_external ? $3 : NaN) with lines lw 2.4 lc rgb external_color title (has_external ? 'external power' : ''), \
      data index 0 using 1:(has_dissipation ? $4 : NaN) with lines lw 2.4 lc rgb dissipation_color title (has_dissipation ? 'dissipation' : ''), \
-     data index 1 using 1:(has_stored ? $2 : NaN) with lines lw 2.4 lc rgb elastic_color title (has_stored ? 'rate of elastic and kinetic energy' : '')
+     data index 1 using 1:(has_stored ? $2 : NaN) with lines lw 2.4 lc rgb elastic_color title (has_stored ? 'rate of stored energy' : '')
 eval(without_heading)
 
 if (has_residual) {
