@@ -1,7 +1,7 @@
 #include <app/calibration_input.h>
 
 #include <app/shipped_files.h>
-#include <datasets/error.h>
+#include <datasets/system/error.h>
 #include <reports/page/shown_units.h>
 
 #include <fmt/format.h>

@@ -3,9 +3,9 @@
 
 #include <app/calibrate.h>
 
-#include <datasets/calibration_problem.h>
-#include <datasets/observation_set.h>
-#include <datasets/reduced_model.h>
+#include <datasets/observation/calibration_problem.h>
+#include <datasets/observation/observation_set.h>
+#include <datasets/reduced/reduced_model.h>
 
 namespace swimtwin
 {

@@ -3,8 +3,8 @@
 #include <app/ranks.h>
 #include <app/shipped_files.h>
 #include <app/written_files.h>
-#include <datasets/console.h>
-#include <datasets/error.h>
+#include <datasets/system/console.h>
+#include <datasets/system/error.h>
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <app/verb.h>
-#include <datasets/output_claim.h>
+#include <datasets/files/output_claim.h>
 
 #include <filesystem>
 #include <functional>

@@ -1,8 +1,8 @@
 #include <app/command_words.h>
 
-#include <datasets/error.h>
-#include <datasets/nearest_name.h>
-#include <datasets/toml_table.h>
+#include <datasets/system/error.h>
+#include <datasets/system/nearest_name.h>
+#include <datasets/text/toml_table.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

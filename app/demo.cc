@@ -6,8 +6,8 @@
 #include <app/shipped_files.h>
 #include <app/simulate.h>
 #include <app/written_files.h>
-#include <datasets/console.h>
-#include <datasets/csv_table.h>
+#include <datasets/system/console.h>
+#include <datasets/text/csv_table.h>
 #include <reports/page/draw_pictures.h>
 #include <reports/sweep/frequency_picture.h>
 #include <reports/sweep/model_card.h>

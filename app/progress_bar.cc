@@ -1,5 +1,5 @@
 #include <app/progress_bar.h>
-#include <datasets/console.h>
+#include <datasets/system/console.h>
 
 #include <reports/page/number_text.h>
 

@@ -1,7 +1,7 @@
 #include <app/ranks.h>
 
 #include <app/full_order/mpi_session.h>
-#include <datasets/error.h>
+#include <datasets/system/error.h>
 
 #include <mpi.h>
 

@@ -6,13 +6,13 @@
 #include <app/shipped_files.h>
 #include <app/verb.h>
 #include <app/written_files.h>
-#include <datasets/console.h>
-#include <datasets/error.h>
-#include <datasets/provenance.h>
-#include <datasets/run_summary_json.h>
+#include <datasets/system/console.h>
+#include <datasets/system/error.h>
+#include <datasets/system/provenance.h>
+#include <datasets/run/run_summary_json.h>
 #include <reports/run/draw_run.h>
-#include <rom/reconstruction.h>
-#include <rom/sweep.h>
+#include <rom/sweep/reconstruction.h>
+#include <rom/sweep/sweep.h>
 
 #include <fmt/format.h>
 

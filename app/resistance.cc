@@ -1,7 +1,7 @@
 // Verb resistance: the rigid resistance matrix of a scene's swimmer at rest.
 #include <app/resistance.h>
 
-#include <datasets/error.h>
+#include <datasets/system/error.h>
 
 #include <memory>
 

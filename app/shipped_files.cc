@@ -1,7 +1,7 @@
 #include <app/shipped_files.h>
 
-#include <datasets/error.h>
-#include <datasets/nearest_name.h>
+#include <datasets/system/error.h>
+#include <datasets/system/nearest_name.h>
 
 #include <fmt/format.h>
 

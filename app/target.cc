@@ -5,15 +5,15 @@
 #include <app/full_order/full_order_plant.h>
 #include <app/shipped_files.h>
 #include <app/written_files.h>
-#include <datasets/clocks.h>
-#include <datasets/console.h>
-#include <datasets/error.h>
-#include <datasets/provenance.h>
+#include <datasets/system/clocks.h>
+#include <datasets/system/console.h>
+#include <datasets/system/error.h>
+#include <datasets/system/provenance.h>
 #include <reports/page/draw_pictures.h>
 #include <reports/plan/target_pictures.h>
 #include <reports/plan/track_files.h>
 #include <reports/sweep/model_card.h>
-#include <rom/swimmer_integrator.h>
+#include <rom/integration/swimmer_integrator.h>
 
 #include <fmt/format.h>
 

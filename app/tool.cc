@@ -1,9 +1,9 @@
 #include <app/tool.h>
 
 #include <app/command_words.h>
-#include <datasets/console.h>
-#include <datasets/error.h>
-#include <datasets/provenance.h>
+#include <datasets/system/console.h>
+#include <datasets/system/error.h>
+#include <datasets/system/provenance.h>
 
 #include <fmt/format.h>
 

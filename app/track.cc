@@ -8,10 +8,10 @@
 #include <app/shipped_files.h>
 #include <app/target.h>
 #include <app/written_files.h>
-#include <datasets/clocks.h>
-#include <datasets/console.h>
-#include <datasets/error.h>
-#include <datasets/provenance.h>
+#include <datasets/system/clocks.h>
+#include <datasets/system/console.h>
+#include <datasets/system/error.h>
+#include <datasets/system/provenance.h>
 #include <reports/page/draw_pictures.h>
 #include <reports/plan/track_pictures.h>
 #include <reports/sweep/model_card.h>

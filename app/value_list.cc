@@ -1,6 +1,6 @@
 #include <app/value_list.h>
 
-#include <datasets/error.h>
+#include <datasets/system/error.h>
 
 #include <fmt/format.h>
 

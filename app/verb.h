@@ -2,7 +2,7 @@
 #pragma once
 
 #include <app/ranks.h>
-#include <datasets/scene.h>
+#include <datasets/scene/scene.h>
 
 #include <CLI/CLI.hpp>
 

@@ -1,6 +1,6 @@
 #include <app/written_files.h>
 
-#include <calibration/fitted_scene.h>
+#include <calibration/run/fitted_scene.h>
 #include <reports/fit/calibration_files.h>
 #include <reports/page/illustrated_page.h>
 #include <reports/plan/plan_files.h>

@@ -1,7 +1,7 @@
 // What each verb writes, declared once: refused without --force, replaced with it, and listed in docs/file-formats.md.
 #pragma once
 
-#include <datasets/earlier_results.h>
+#include <datasets/files/earlier_results.h>
 
 #include <vector>
 

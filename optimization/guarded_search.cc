@@ -1,4 +1,4 @@
-#include <datasets/error.h>
+#include <datasets/system/error.h>
 #include <optimization/first_order_conditions.h>
 #include <optimization/guarded_search.h>
 #include <optimization/nlopt_run.h>

@@ -1,4 +1,4 @@
-#include <datasets/parallel_for.h>
+#include <datasets/system/parallel_for.h>
 #include <optimization/multistart.h>
 
 #include <mutex>

@@ -1,4 +1,4 @@
-#include <datasets/error.h>
+#include <datasets/system/error.h>
 #include <optimization/search_method.h>
 
 #include <fmt/format.h>

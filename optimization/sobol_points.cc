@@ -1,4 +1,4 @@
-#include <datasets/error.h>
+#include <datasets/system/error.h>
 #include <optimization/sobol_points.h>
 
 #include <boost/random/sobol.hpp>

@@ -1,6 +1,6 @@
 #include <app/full_order/blas_buffer.h>
 
-#include <datasets/memory_limits.h>
+#include <datasets/system/memory_limits.h>
 
 #include <petscsys.h> // before the next, which needs it
 

@@ -1,12 +1,12 @@
 #include <app/full_order/field_replay.h>
 
 #include <app/progress_bar.h>
-#include <control/measured_field.h>
-#include <control/settled_start.h>
-#include <datasets/error.h>
-#include <datasets/field_program_writer.h>
-#include <datasets/output_folder.h>
-#include <datasets/scene_field.h>
+#include <control/goal/measured_field.h>
+#include <control/stroke/settled_start.h>
+#include <datasets/system/error.h>
+#include <datasets/scene/field_program_writer.h>
+#include <datasets/files/output_folder.h>
+#include <datasets/scene/scene_field.h>
 #include <fom/run/simulation.h>
 #include <reports/plan/plan_files.h>
 

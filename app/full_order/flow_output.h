@@ -1,9 +1,9 @@
 // The flow around a reduced run: by the full-order fluid where this build has it.
 #pragma once
 
-#include <datasets/reduced_model.h>
-#include <datasets/scene.h>
-#include <rom/swimmer_run.h>
+#include <datasets/reduced/reduced_model.h>
+#include <datasets/scene/scene.h>
+#include <rom/integration/swimmer_run.h>
 
 #include <filesystem>
 #include <functional>

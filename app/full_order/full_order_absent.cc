@@ -4,7 +4,7 @@
 #include <app/full_order/full_order_build.h>
 #include <app/full_order/full_order_plant.h>
 #include <app/full_order/full_order_run.h>
-#include <datasets/error.h>
+#include <datasets/system/error.h>
 
 namespace swimtwin
 {

@@ -4,8 +4,8 @@
 #include <app/library_environment.h>
 #include <app/standard_streams.h>
 #include <app/tool.h>
-#include <datasets/console.h>
-#include <datasets/error.h>
+#include <datasets/system/console.h>
+#include <datasets/system/error.h>
 
 #include <malloc.h>
 #include <optional>

@@ -1,8 +1,8 @@
 // The full-order swimmer as a plant that is steered.
 #pragma once
 
-#include <control/plant.h>
-#include <datasets/scene.h>
+#include <control/steering/plant.h>
+#include <datasets/scene/scene.h>
 
 #include <memory>
 

@@ -1,7 +1,7 @@
 #include <app/full_order/full_order_program.h>
 
-#include <datasets/error.h>
-#include <datasets/memory_limits.h>
+#include <datasets/system/error.h>
+#include <datasets/system/memory_limits.h>
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include <app/full_order/full_order_run.h>
 
-#include <datasets/error.h>
+#include <datasets/system/error.h>
 #include <fom/run/simulation.h>
 
 namespace swimtwin

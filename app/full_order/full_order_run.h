@@ -1,7 +1,7 @@
 // A run of the full-order model, in builds that have it.
 #pragma once
 
-#include <datasets/scene.h>
+#include <datasets/scene/scene.h>
 
 #include <filesystem>
 

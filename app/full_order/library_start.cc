@@ -1,7 +1,7 @@
 #include <app/full_order/library_start.h>
 
 #include <app/library_environment.h>
-#include <datasets/console.h>
+#include <datasets/system/console.h>
 
 #include <csignal>
 #include <cstdlib>

@@ -6,8 +6,8 @@
 #include <app/ranks.h>
 #include <app/shipped_files.h>
 #include <app/written_files.h>
-#include <datasets/console.h>
-#include <datasets/output_folder.h>
+#include <datasets/system/console.h>
+#include <datasets/files/output_folder.h>
 #include <reports/sweep/model_card.h>
 #include <rom/training/training.h>
 

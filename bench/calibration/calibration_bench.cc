@@ -2,10 +2,10 @@
 //   bench_calibration coverage MODEL.h5 [number of fits]
 //   bench_calibration time MODEL.h5
 //   bench_calibration bias MODEL.h5 DATA.csv E/mu M/mu    (full-order data with their noise and without it)
-#include <calibration/calibrate.h>
-#include <datasets/clocks.h>
-#include <datasets/error.h>
-#include <datasets/parallel_for.h>
+#include <calibration/run/calibrate.h>
+#include <datasets/system/clocks.h>
+#include <datasets/system/error.h>
+#include <datasets/system/parallel_for.h>
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // Times of a reduced swimmer beside its integration errors: bench_reduced MODEL.h5
-#include <datasets/clocks.h>
-#include <datasets/error.h>
-#include <rom/sweep.h>
+#include <datasets/system/clocks.h>
+#include <datasets/system/error.h>
+#include <rom/sweep/sweep.h>
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // CPU time of parts of the work.
 #pragma once
 
-#include <datasets/clocks.h>
+#include <datasets/system/clocks.h>
 
 namespace swimtwin
 {

@@ -1,7 +1,7 @@
 // Return codes of PETSc and SLEPc as exceptions of ours.
 #pragma once
 
-#include <datasets/error.h>
+#include <datasets/system/error.h>
 
 #include <petscsys.h>
 

@@ -1,7 +1,7 @@
 #include <fom/algebra/solver_memory.h>
 
-#include <datasets/error.h>
-#include <datasets/memory_limits.h>
+#include <datasets/system/error.h>
+#include <datasets/system/memory_limits.h>
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // Hyperelastic laws: energy density, first Piola-Kirchhoff stress and its derivative, as functions of F.
 #pragma once
 
-#include <datasets/scene.h>
+#include <datasets/scene/scene.h>
 
 #include <deal.II/base/tensor.h>
 

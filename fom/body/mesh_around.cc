@@ -1,6 +1,6 @@
 #include <fom/body/mesh_around.h>
 
-#include <datasets/mirror_plane.h>
+#include <datasets/scene/mirror_plane.h>
 #include <fom/body/finer_mesh.h>
 #include <fom/mesh/inverted_element.h>
 

@@ -1,7 +1,7 @@
 #include <fom/body/swimmer.h>
 
-#include <datasets/inertia_terms.h>
-#include <datasets/mirror_plane.h>
+#include <datasets/scene/inertia_terms.h>
+#include <datasets/scene/mirror_plane.h>
 #include <fom/body/finer_mesh.h>
 #include <fom/mesh/swimmer_outline.h>
 

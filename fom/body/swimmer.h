@@ -1,7 +1,7 @@
 // The body: rigid head and elastic tail, its surface, its kinematics and the loads that a field and gravity put on it.
 #pragma once
 
-#include <datasets/scene.h>
+#include <datasets/scene/scene.h>
 #include <fom/body/elastic_tail.h>
 #include <fom/geometry/rigid_pose.h>
 #include <fom/mesh/tail_mesh.h>

@@ -1,7 +1,7 @@
 // Accelerations of a fixed-point iteration x = S(x).
 #pragma once
 
-#include <datasets/scene.h>
+#include <datasets/scene/scene.h>
 
 #include <Eigen/Dense>
 

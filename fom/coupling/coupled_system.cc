@@ -1,6 +1,6 @@
 #include <fom/coupling/coupled_system.h>
 
-#include <datasets/mirror_plane.h>
+#include <datasets/scene/mirror_plane.h>
 #include <fom/body/tail_rows.h>
 
 #include <deal.II/base/mpi.h>

@@ -1,6 +1,6 @@
 #include <fom/coupling/monolithic_coupling.h>
 
-#include <datasets/error.h>
+#include <datasets/system/error.h>
 #include <fom/algebra/cpu_time.h>
 #include <fom/body/nodal_vector.h>
 

@@ -1,6 +1,6 @@
 #include <fom/fluid/flow_transfer.h>
 
-#include <datasets/error.h>
+#include <datasets/system/error.h>
 #include <fom/geometry/cell_search.h>
 
 #include <algorithm>

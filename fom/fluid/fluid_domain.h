@@ -2,7 +2,7 @@
 // is.
 #pragma once
 
-#include <datasets/inertia_terms.h>
+#include <datasets/scene/inertia_terms.h>
 #include <fom/algebra/bdf2.h>
 #include <fom/algebra/condensation.h>
 #include <fom/algebra/mirror_pairs.h>

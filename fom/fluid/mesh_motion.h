@@ -1,7 +1,7 @@
 // How the fluid's mesh follows the swimmer: an extension of the boundary displacement into the fluid.
 #pragma once
 
-#include <datasets/scene.h>
+#include <datasets/scene/scene.h>
 #include <fom/algebra/condensation.h>
 #include <fom/algebra/mirror_pairs.h>
 #include <fom/geometry/simplex_mesh.h>

@@ -1,6 +1,6 @@
 #include <fom/geometry/triangulate.h>
 
-#include <datasets/error.h>
+#include <datasets/system/error.h>
 
 #include <deal.II/base/mpi.h>
 #include <gmsh.h>

@@ -1,7 +1,7 @@
 // The mesh of the fluid around the swimmer as it is now, and the names of its boundary nodes.
 #pragma once
 
-#include <datasets/scene.h>
+#include <datasets/scene/scene.h>
 #include <fom/geometry/planar_curve.h>
 #include <fom/geometry/rigid_pose.h>
 #include <fom/geometry/simplex_mesh.h>

@@ -1,7 +1,7 @@
 // Meshes with an element that is inside out are refused where they are made.
 #pragma once
 
-#include <datasets/error.h>
+#include <datasets/system/error.h>
 #include <fom/geometry/simplex_mesh.h>
 
 #include <string>

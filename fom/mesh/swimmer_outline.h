@@ -1,7 +1,7 @@
 // The swimmer's surface at rest, as the curve mesh that fluid and tail share node for node.
 #pragma once
 
-#include <datasets/scene.h>
+#include <datasets/scene/scene.h>
 #include <fom/geometry/planar_curve.h>
 
 #include <vector>

@@ -1,6 +1,6 @@
 #include <fom/resistance/resistance.h>
 
-#include <datasets/error.h>
+#include <datasets/system/error.h>
 #include <fom/body/mesh_around.h>
 #include <fom/resistance/fluid_rigid_system.h>
 #include <fom/resistance/positive_definite.h>

@@ -1,7 +1,7 @@
 // checkpoint.h5: everything that a run needs to go on as if it had not stopped.
 #pragma once
 
-#include <datasets/provenance.h>
+#include <datasets/system/provenance.h>
 #include <fom/run/run_recorder.h>
 #include <fom/step/full_order_model.h>
 

@@ -1,6 +1,6 @@
 #include <fom/run/field_output.h>
 
-#include <datasets/output_folder.h>
+#include <datasets/files/output_folder.h>
 
 #include <deal.II/base/data_out_base.h>
 

@@ -1,7 +1,7 @@
 #include <fom/run/run_plan.h>
 
-#include <datasets/inertia_terms.h>
-#include <datasets/mirror_plane.h>
+#include <datasets/scene/inertia_terms.h>
+#include <datasets/scene/mirror_plane.h>
 #include <fom/algebra/solver_memory.h>
 #include <fom/body/mesh_around.h>
 #include <fom/step/full_order_model.h>

@@ -1,8 +1,8 @@
 // What a run will do and cost, before it is started.
 #pragma once
 
-#include <datasets/dimensionless_groups.h>
-#include <datasets/scene.h>
+#include <datasets/scene/dimensionless_groups.h>
+#include <datasets/scene/scene.h>
 
 #include <mpi.h>
 

@@ -1,8 +1,8 @@
 // What is kept of a run: one row per step of the time grid, and snapshots of the tail's shape.
 #pragma once
 
-#include <datasets/snapshot_set.h>
-#include <datasets/trajectory.h>
+#include <datasets/run/snapshot_set.h>
+#include <datasets/run/trajectory.h>
 #include <fom/step/full_order_model.h>
 
 namespace swimtwin

@@ -1,6 +1,6 @@
 #include <fom/step/full_order_model.h>
 
-#include <datasets/error.h>
+#include <datasets/system/error.h>
 #include <fom/algebra/cpu_time.h>
 #include <fom/body/mesh_around.h>
 #include <fom/fluid/flow_transfer.h>

@@ -1,7 +1,7 @@
 // Works of the first steps of a run whose load jumps at t = 0: force times the way gone.
 #pragma once
 
-#include <datasets/work_balance.h>
+#include <datasets/run/work_balance.h>
 #include <fom/step/instant.h>
 #include <fom/step/power_balance.h>
 

@@ -1,8 +1,8 @@
 #include <reports/fit/calibration_files.h>
 
-#include <datasets/csv_writer.h>
-#include <datasets/output_folder.h>
-#include <datasets/text_line.h>
+#include <datasets/text/csv_writer.h>
+#include <datasets/files/output_folder.h>
+#include <datasets/text/text_line.h>
 
 #include <fmt/format.h>
 

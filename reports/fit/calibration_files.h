@@ -1,9 +1,9 @@
 // The files of a calibration.
 #pragma once
 
-#include <calibration/fitted_scene.h>
-#include <datasets/calibration_result.h>
-#include <datasets/scene.h>
+#include <calibration/run/fitted_scene.h>
+#include <datasets/observation/calibration_result.h>
+#include <datasets/scene/scene.h>
 
 #include <filesystem>
 #include <string>

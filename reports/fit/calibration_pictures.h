@@ -1,7 +1,7 @@
 // Pictures of a fit.
 #pragma once
 
-#include <datasets/calibration_result.h>
+#include <datasets/observation/calibration_result.h>
 #include <reports/page/gnuplot.h>
 
 #include <vector>

@@ -1,7 +1,7 @@
 // The page of a fit.
 #pragma once
 
-#include <datasets/calibration_result.h>
+#include <datasets/observation/calibration_result.h>
 #include <reports/page/html_page.h>
 #include <reports/run/run_report.h>
 

@@ -1,7 +1,7 @@
 // The tables of a fit's page.
 #pragma once
 
-#include <datasets/calibration_result.h>
+#include <datasets/observation/calibration_result.h>
 #include <reports/page/html_page.h>
 
 namespace swimtwin

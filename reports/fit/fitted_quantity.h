@@ -1,7 +1,7 @@
 // How people read the parameters of a fit: symbol, unit, and a power of ten that keeps numbers short.
 #pragma once
 
-#include <datasets/calibration_result.h>
+#include <datasets/observation/calibration_result.h>
 
 #include <string>
 

@@ -1,7 +1,7 @@
 // How the parameters of a fit scatter together.
 #pragma once
 
-#include <datasets/calibration_result.h>
+#include <datasets/observation/calibration_result.h>
 #include <reports/page/gnuplot.h>
 
 namespace swimtwin

@@ -1,7 +1,7 @@
 // How fast the misfit grows along each parameter of a fit.
 #pragma once
 
-#include <datasets/calibration_result.h>
+#include <datasets/observation/calibration_result.h>
 #include <reports/page/gnuplot.h>
 
 namespace swimtwin

@@ -1,7 +1,7 @@
 // The starts of a fit: where each began and where it ended.
 #pragma once
 
-#include <datasets/calibration_result.h>
+#include <datasets/observation/calibration_result.h>
 #include <reports/page/gnuplot.h>
 
 namespace swimtwin

@@ -1,7 +1,7 @@
 #include <reports/page/draw_pictures.h>
 
-#include <datasets/console.h>
-#include <datasets/error.h>
+#include <datasets/system/console.h>
+#include <datasets/system/error.h>
 
 #include <fmt/format.h>
 

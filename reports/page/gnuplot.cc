@@ -1,6 +1,6 @@
 #include <reports/page/gnuplot.h>
 
-#include <datasets/output_folder.h>
+#include <datasets/files/output_folder.h>
 #include <reports/page/gnuplot_process.h>
 #include <reports/page/gnuplot_style.h>
 

@@ -1,6 +1,6 @@
 #include <reports/page/html_page.h>
 
-#include <datasets/csv_table.h>
+#include <datasets/text/csv_table.h>
 
 #include <fmt/format.h>
 #include <openssl/evp.h>

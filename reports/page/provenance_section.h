@@ -1,7 +1,7 @@
 // Where results came from, at the end of their page.
 #pragma once
 
-#include <datasets/provenance.h>
+#include <datasets/system/provenance.h>
 #include <reports/page/html_page.h>
 
 #include <string>

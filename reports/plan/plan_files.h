@@ -1,9 +1,9 @@
 // What `optimize` leaves in its folder, and reading it back.
 #pragma once
 
-#include <datasets/field_program.h>
-#include <datasets/plan_result.h>
-#include <datasets/trajectory.h>
+#include <datasets/scene/field_program.h>
+#include <datasets/run/plan_result.h>
+#include <datasets/run/trajectory.h>
 
 #include <filesystem>
 #include <string>

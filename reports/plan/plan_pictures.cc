@@ -1,6 +1,6 @@
 #include <reports/plan/plan_pictures.h>
 
-#include <control/measured_field.h>
+#include <control/goal/measured_field.h>
 #include <reports/page/number_text.h>
 #include <reports/page/picture_extent.h>
 #include <reports/page/shown_units.h>

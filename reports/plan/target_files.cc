@@ -1,6 +1,6 @@
 #include <reports/plan/target_files.h>
 
-#include <datasets/csv_writer.h>
+#include <datasets/text/csv_writer.h>
 #include <reports/plan/track_files.h>
 
 #include <fmt/format.h>

@@ -1,9 +1,9 @@
 // The files of a swim to a target.
 #pragma once
 
-#include <control/plant.h>
-#include <control/target_goal.h>
-#include <datasets/provenance.h>
+#include <control/steering/plant.h>
+#include <control/goal/target_goal.h>
+#include <datasets/system/provenance.h>
 
 #include <filesystem>
 #include <optional>

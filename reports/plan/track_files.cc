@@ -1,7 +1,7 @@
 #include <reports/plan/track_files.h>
 
-#include <datasets/csv_writer.h>
-#include <datasets/field_program_writer.h>
+#include <datasets/text/csv_writer.h>
+#include <datasets/scene/field_program_writer.h>
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // The files of a swim along a path.
 #pragma once
 
-#include <control/tracking_goal.h>
-#include <datasets/json_entries.h>
+#include <control/goal/tracking_goal.h>
+#include <datasets/files/json_entries.h>
 
 #include <filesystem>
 #include <optional>

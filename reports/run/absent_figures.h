@@ -1,7 +1,7 @@
 // Words for the figures of a run that were not computed, so that nothing stands where a number would claim too much.
 #pragma once
 
-#include <datasets/trajectory.h>
+#include <datasets/run/trajectory.h>
 
 #include <optional>
 #include <string>

@@ -1,6 +1,6 @@
 #include <reports/run/draw_run.h>
 
-#include <datasets/error.h>
+#include <datasets/system/error.h>
 #include <reports/page/draw_pictures.h>
 #include <reports/run/motion_pictures.h>
 #include <reports/run/shapes_picture.h>

@@ -1,6 +1,6 @@
 #include <reports/run/run_folder.h>
 
-#include <datasets/error.h>
+#include <datasets/system/error.h>
 
 #include <fmt/format.h>
 

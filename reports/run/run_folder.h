@@ -1,10 +1,10 @@
 // What a run left in its folder, read back.
 #pragma once
 
-#include <datasets/run_summary_json.h>
-#include <datasets/scene.h>
-#include <datasets/snapshot_set.h>
-#include <datasets/trajectory.h>
+#include <datasets/run/run_summary_json.h>
+#include <datasets/scene/scene.h>
+#include <datasets/run/snapshot_set.h>
+#include <datasets/run/trajectory.h>
 
 #include <filesystem>
 #include <optional>

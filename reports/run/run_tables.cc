@@ -1,6 +1,6 @@
 #include <reports/run/run_tables.h>
 
-#include <datasets/scene_names.h>
+#include <datasets/scene/scene_names.h>
 #include <reports/page/number_text.h>
 #include <reports/page/shown_units.h>
 #include <reports/run/absent_figures.h>

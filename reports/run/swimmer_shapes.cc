@@ -1,6 +1,6 @@
 #include <reports/run/swimmer_shapes.h>
 
-#include <datasets/swimmer_clearance.h>
+#include <datasets/scene/swimmer_clearance.h>
 
 #include <algorithm>
 #include <cmath>

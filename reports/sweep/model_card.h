@@ -1,7 +1,7 @@
 // What a reduced model says about itself, for people.
 #pragma once
 
-#include <datasets/reduced_model.h>
+#include <datasets/reduced/reduced_model.h>
 
 #include <string>
 

@@ -1,9 +1,9 @@
 // The files of a sweep.
 #pragma once
 
-#include <datasets/provenance.h>
+#include <datasets/system/provenance.h>
 #include <reports/sweep/frequency_curves.h>
-#include <rom/sweep.h>
+#include <rom/sweep/sweep.h>
 
 #include <filesystem>
 #include <string>

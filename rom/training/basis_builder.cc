@@ -1,7 +1,7 @@
 #include <rom/training/basis_builder.h>
 
-#include <datasets/error.h>
-#include <rom/dense_algebra.h>
+#include <datasets/system/error.h>
+#include <rom/swimmer/dense_algebra.h>
 
 #include <algorithm>
 #include <cmath>

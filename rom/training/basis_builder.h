@@ -1,7 +1,7 @@
 // The reduced tail's shapes from snapshots, from the elastic tail alone, or from both.
 #pragma once
 
-#include <datasets/snapshot_set.h>
+#include <datasets/run/snapshot_set.h>
 #include <rom/training/pod.h>
 #include <rom/training/tail_stiffness.h>
 

@@ -1,6 +1,6 @@
 #include <rom/training/explored_shapes.h>
 
-#include <rom/swimmer_integrator.h>
+#include <rom/integration/swimmer_integrator.h>
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // Where the reduced swimmer itself goes, over the whole range it is to be trained for.
 #pragma once
 
-#include <datasets/reduced_model.h>
+#include <datasets/reduced/reduced_model.h>
 #include <rom/training/sampled_shapes.h>
 #include <rom/training/training_runs.h>
 

@@ -1,11 +1,11 @@
 #include <rom/training/flow_reconstruction.h>
 
 #include <fom/body/nodal_vector.h>
-#include <datasets/error.h>
+#include <datasets/system/error.h>
 #include <fom/body/mesh_around.h>
 #include <fom/resistance/motion_resistance.h>
 #include <fom/run/field_output.h>
-#include <rom/reconstruction.h>
+#include <rom/sweep/reconstruction.h>
 #include <rom/training/shape_sampler.h>
 
 namespace swimtwin

@@ -1,8 +1,8 @@
 // The flow around a reduced swimmer, by the full-order fluid.
 #pragma once
 
-#include <datasets/reduced_model.h>
-#include <rom/swimmer_run.h>
+#include <datasets/reduced/reduced_model.h>
+#include <rom/integration/swimmer_run.h>
 
 #include <filesystem>
 #include <functional>

@@ -1,8 +1,8 @@
 #include <rom/training/held_out_runs.h>
 
-#include <datasets/error.h>
-#include <datasets/run_summary_json.h>
-#include <rom/sweep.h>
+#include <datasets/system/error.h>
+#include <datasets/run/run_summary_json.h>
+#include <rom/sweep/sweep.h>
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // The pieces of a training as one reduced model.
 #pragma once
 
-#include <datasets/reduced_model.h>
+#include <datasets/reduced/reduced_model.h>
 #include <fom/body/swimmer.h>
 #include <rom/training/tail_basis.h>
 

@@ -1,6 +1,6 @@
 #include <rom/training/monomial_features.h>
 
-#include <datasets/error.h>
+#include <datasets/system/error.h>
 
 #include <algorithm>
 #include <array>

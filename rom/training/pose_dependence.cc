@@ -1,6 +1,6 @@
 #include <rom/training/pose_dependence.h>
 
-#include <rom/dense_algebra.h>
+#include <rom/swimmer/dense_algebra.h>
 #include <rom/training/resistance_fit.h>
 
 #include <algorithm>

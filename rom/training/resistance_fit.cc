@@ -1,7 +1,7 @@
 #include <rom/training/resistance_fit.h>
 
-#include <datasets/error.h>
-#include <rom/dense_algebra.h>
+#include <datasets/system/error.h>
+#include <rom/swimmer/dense_algebra.h>
 #include <rom/training/monomial_features.h>
 
 #include <algorithm>

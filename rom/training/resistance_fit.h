@@ -1,7 +1,7 @@
 // Fit of the resistance surrogate to samples: log-Cholesky polynomials with the mirror's parity built in.
 #pragma once
 
-#include <datasets/reduced_model.h>
+#include <datasets/reduced/reduced_model.h>
 #include <rom/training/shape_sampler.h>
 
 #include <array>

@@ -1,7 +1,7 @@
 // What one run differs in from the next.
 #pragma once
 
-#include <datasets/scene.h>
+#include <datasets/scene/scene.h>
 
 namespace swimtwin
 {

@@ -1,7 +1,7 @@
 #include <rom/training/sample_store.h>
 
-#include <datasets/hdf5_file.h>
-#include <datasets/hdf5_open.h>
+#include <datasets/files/hdf5_file.h>
+#include <datasets/files/hdf5_open.h>
 
 #include <cmath>
 

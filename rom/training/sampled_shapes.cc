@@ -1,7 +1,7 @@
 #include <rom/training/sampled_shapes.h>
 
 #include <fom/body/nodal_vector.h>
-#include <rom/dense_algebra.h>
+#include <rom/swimmer/dense_algebra.h>
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #include <rom/training/shape_sampler.h>
 
 #include <fom/body/nodal_vector.h>
-#include <datasets/error.h>
+#include <datasets/system/error.h>
 #include <fom/resistance/motion_resistance.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // Exact elastic energy of a basis: Gram matrices of the strains that its modes make.
 #pragma once
 
-#include <datasets/reduced_model.h>
+#include <datasets/reduced/reduced_model.h>
 #include <fom/body/swimmer.h>
 
 namespace swimtwin

@@ -1,6 +1,6 @@
 #include <rom/training/tail_basis.h>
 
-#include <datasets/error.h>
+#include <datasets/system/error.h>
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // The shapes that the reduced tail can take: modes whose amplitudes are coordinates, and modes that follow them.
 #pragma once
 
-#include <datasets/snapshot_set.h>
+#include <datasets/run/snapshot_set.h>
 
 #include <Eigen/Dense>
 #include <Eigen/Sparse>

@@ -1,6 +1,6 @@
 #include <rom/training/tail_stiffness.h>
 
-#include <datasets/error.h>
+#include <datasets/system/error.h>
 #include <fom/algebra/petsc_error.h>
 
 #include <slepceps.h>

@@ -1,6 +1,6 @@
 #include <rom/training/training_options.h>
 
-#include <datasets/error.h>
+#include <datasets/system/error.h>
 #include <rom/training/run_parameters.h>
 
 #include <fmt/format.h>

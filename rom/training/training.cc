@@ -1,12 +1,12 @@
 #include <rom/training/training.h>
 
-#include <datasets/clocks.h>
-#include <datasets/dimensionless_groups.h>
-#include <datasets/inertia_terms.h>
-#include <datasets/error.h>
-#include <datasets/provenance.h>
+#include <datasets/system/clocks.h>
+#include <datasets/scene/dimensionless_groups.h>
+#include <datasets/scene/inertia_terms.h>
+#include <datasets/system/error.h>
+#include <datasets/system/provenance.h>
 #include <fom/run/run_recorder.h>
-#include <rom/dense_algebra.h>
+#include <rom/swimmer/dense_algebra.h>
 #include <rom/training/basis_builder.h>
 #include <rom/training/explored_shapes.h>
 #include <rom/training/held_out_runs.h>

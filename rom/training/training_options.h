@@ -1,8 +1,8 @@
 // What a training is asked for, and which scenes can be trained: known before any of it runs.
 #pragma once
 
-#include <datasets/reduced_model.h>
-#include <datasets/scene.h>
+#include <datasets/reduced/reduced_model.h>
+#include <datasets/scene/scene.h>
 
 #include <filesystem>
 #include <functional>

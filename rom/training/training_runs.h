@@ -1,9 +1,9 @@
 // The full-order runs that modes and the region of shapes are taken from.
 #pragma once
 
-#include <datasets/reduced_model.h>
-#include <datasets/scene.h>
-#include <datasets/snapshot_set.h>
+#include <datasets/reduced/reduced_model.h>
+#include <datasets/scene/scene.h>
+#include <datasets/run/snapshot_set.h>
 #include <rom/training/run_parameters.h>
 
 #include <mpi.h>

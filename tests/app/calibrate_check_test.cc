@@ -1,5 +1,5 @@
 // Tables of other programs, read by the tool as a user would.
-#include <datasets/observation_set.h>
+#include <datasets/observation/observation_set.h>
 #include <tests/app/tool_in_process.h>
 #include <tests/datasets/temporary_folder.h>
 #include <tests/places.h>

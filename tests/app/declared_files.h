@@ -1,7 +1,7 @@
 // Whether a verb leaves nothing that it does not declare.
 #pragma once
 
-#include <datasets/file_patterns.h>
+#include <datasets/files/file_patterns.h>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 #include <app/written_files.h>
-#include <datasets/reduced_model.h>
+#include <datasets/reduced/reduced_model.h>
 #include <reports/plan/plan_files.h>
 #include <tests/app/declared_files.h>
 #include <tests/app/tool_in_process.h>

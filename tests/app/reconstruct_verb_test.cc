@@ -1,9 +1,9 @@
 #include <app/tool.h>
-#include <datasets/error.h>
-#include <datasets/provenance.h>
-#include <datasets/run_summary_json.h>
-#include <datasets/snapshot_set.h>
-#include <datasets/trajectory.h>
+#include <datasets/system/error.h>
+#include <datasets/system/provenance.h>
+#include <datasets/run/run_summary_json.h>
+#include <datasets/run/snapshot_set.h>
+#include <datasets/run/trajectory.h>
 #include <tests/app/tool_in_process.h>
 #include <tests/datasets/temporary_folder.h>
 #include <tests/rom/example_model.h>

@@ -1,5 +1,5 @@
 #include <app/value_list.h>
-#include <datasets/error.h>
+#include <datasets/system/error.h>
 #include <tests/datasets/temporary_folder.h>
 
 #include <cmath>

@@ -1,6 +1,6 @@
 #include <app/written_files.h>
-#include <datasets/folder_lock.h>
-#include <datasets/provenance.h>
+#include <datasets/files/folder_lock.h>
+#include <datasets/system/provenance.h>
 #include <tests/app/declared_files.h>
 #include <tests/app/tool_in_process.h>
 #include <tests/datasets/other_process.h>

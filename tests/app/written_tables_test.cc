@@ -1,5 +1,5 @@
-#include <datasets/reduced_model.h>
-#include <datasets/scene.h>
+#include <datasets/reduced/reduced_model.h>
+#include <datasets/scene/scene.h>
 #include <tests/app/tool_in_process.h>
 #include <tests/control/small_model.h>
 #include <tests/datasets/temporary_folder.h>

@@ -1,7 +1,7 @@
 // A reduced swimmer that is known, and what it would be observed to do.
 #pragma once
 
-#include <calibration/calibrate.h>
+#include <calibration/run/calibrate.h>
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // The shipped model of the open disc with two coordinates: a real swimmer, fast enough for searches.
 #pragma once
 
-#include <datasets/reduced_model.h>
-#include <rom/sweep.h>
+#include <datasets/reduced/reduced_model.h>
+#include <rom/sweep/sweep.h>
 #include <tests/places.h>
 
 #include <string>

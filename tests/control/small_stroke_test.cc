@@ -1,4 +1,4 @@
-#include <control/stroke_terms.h>
+#include <control/stroke/stroke_terms.h>
 #include <optimization/guarded_search.h>
 #include <tests/control/small_model.h>
 

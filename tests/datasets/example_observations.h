@@ -1,7 +1,7 @@
 // Small observation files for tests.
 #pragma once
 
-#include <datasets/observation_set.h>
+#include <datasets/observation/observation_set.h>
 #include <tests/datasets/temporary_folder.h>
 #include <tests/replaced.h>
 

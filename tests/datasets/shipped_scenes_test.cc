@@ -1,5 +1,5 @@
-#include <datasets/scene.h>
-#include <datasets/swimmer_clearance.h>
+#include <datasets/scene/scene.h>
+#include <datasets/scene/swimmer_clearance.h>
 #include <tests/places.h>
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-#include <datasets/csv_table.h>
-#include <datasets/toml_document.h>
+#include <datasets/text/csv_table.h>
+#include <datasets/text/toml_document.h>
 #include <tests/places.h>
 
 #include <fmt/format.h>

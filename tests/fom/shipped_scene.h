@@ -1,7 +1,7 @@
 // Shipped scenes for tests of the full-order model, shrunk by overrides where a test need not see the whole of them.
 #pragma once
 
-#include <datasets/scene.h>
+#include <datasets/scene/scene.h>
 #include <tests/places.h>
 
 #include <filesystem>

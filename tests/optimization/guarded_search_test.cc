@@ -1,4 +1,4 @@
-#include <datasets/error.h>
+#include <datasets/system/error.h>
 #include <optimization/guarded_search.h>
 
 #include <tests/optimization/known_problems.h>

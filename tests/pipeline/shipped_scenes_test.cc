@@ -1,5 +1,5 @@
-#include <datasets/inertia_terms.h>
-#include <datasets/scene.h>
+#include <datasets/scene/inertia_terms.h>
+#include <datasets/scene/scene.h>
 #include <tests/pipeline/simulation.h>
 #include <tests/places.h>
 

@@ -3,8 +3,8 @@
 
 #include <tests/pipeline/child_process.h>
 
-#include <datasets/run_summary_json.h>
-#include <datasets/trajectory.h>
+#include <datasets/run/run_summary_json.h>
+#include <datasets/run/trajectory.h>
 
 #include <filesystem>
 #include <string>

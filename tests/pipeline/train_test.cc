@@ -1,7 +1,7 @@
 #include <tests/pipeline/simulation.h>
 
-#include <datasets/csv_table.h>
-#include <datasets/reduced_model.h>
+#include <datasets/text/csv_table.h>
+#include <datasets/reduced/reduced_model.h>
 
 namespace swimtwin
 {

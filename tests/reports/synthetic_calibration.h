@@ -1,7 +1,7 @@
 // A made-up fit of three parameters to two data sets, with everything that a picture or page shows.
 #pragma once
 
-#include <datasets/calibration_result.h>
+#include <datasets/observation/calibration_result.h>
 
 #include <cmath>
 #include <random>

@@ -1,8 +1,8 @@
 // A made-up reduced swimmer whose laws are those of a trained one: a bar with bending and stretching modes.
 #pragma once
 
-#include <datasets/reduced_model.h>
-#include <rom/swimmer_run.h>
+#include <datasets/reduced/reduced_model.h>
+#include <rom/integration/swimmer_run.h>
 
 #include <random>
 

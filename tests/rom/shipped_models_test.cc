@@ -1,7 +1,7 @@
 // The models that are shipped: their laws at many shapes, and their displacements against the full-order model's.
-#include <datasets/csv_table.h>
-#include <rom/resistance_surrogate.h>
-#include <rom/sweep.h>
+#include <datasets/text/csv_table.h>
+#include <rom/swimmer/resistance_surrogate.h>
+#include <rom/sweep/sweep.h>
 #include <tests/places.h>
 #include <tests/rom/example_model.h>
 

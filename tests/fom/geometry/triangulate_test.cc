@@ -1,6 +1,6 @@
 #include <fom/geometry/triangulate.h>
 
-#include <datasets/error.h>
+#include <datasets/system/error.h>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include <fom/resistance/positive_definite.h>
 
-#include <datasets/error.h>
+#include <datasets/system/error.h>
 #include <tests/datasets/temporary_folder.h>
 
 #include <gtest/gtest.h>

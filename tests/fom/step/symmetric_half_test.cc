@@ -1,4 +1,4 @@
-#include <datasets/mirror_plane.h>
+#include <datasets/scene/mirror_plane.h>
 #include <fom/run/checkpoint.h>
 #include <fom/step/full_order_model.h>
 #include <tests/datasets/temporary_folder.h>

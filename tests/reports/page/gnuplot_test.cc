@@ -1,6 +1,6 @@
 #include <reports/page/gnuplot.h>
 
-#include <datasets/error.h>
+#include <datasets/system/error.h>
 #include <tests/datasets/temporary_folder.h>
 
 namespace swimtwin

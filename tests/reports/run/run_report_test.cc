@@ -1,6 +1,6 @@
 #include <reports/run/run_report.h>
 
-#include <datasets/error.h>
+#include <datasets/system/error.h>
 #include <reports/page/shown_units.h>
 #include <tests/datasets/temporary_folder.h>
 #include <tests/reports/synthetic_run.h>

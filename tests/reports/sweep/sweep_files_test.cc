@@ -1,6 +1,6 @@
 #include <reports/sweep/sweep_files.h>
 
-#include <datasets/csv_table.h>
+#include <datasets/text/csv_table.h>
 #include <reports/sweep/sweep_report.h>
 #include <tests/datasets/temporary_folder.h>
 #include <tests/reports/tag_balance.h>

@@ -1,6 +1,6 @@
 #include <reports/sweep/sweep_report.h>
 
-#include <datasets/error.h>
+#include <datasets/system/error.h>
 #include <tests/datasets/temporary_folder.h>
 #include <tests/reports/synthetic_run.h>
 #include <tests/reports/tag_balance.h>

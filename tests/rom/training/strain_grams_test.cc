@@ -14,7 +14,7 @@ namespace swimtwin
 {
   namespace
   {
-    /// W and its gradient from the Gram matrices, by the formula of datasets/reduced_model.h.
+    /// W and its gradient from the Gram matrices, by the formula of datasets/reduced/reduced_model.h.
     struct GramEnergy
     {
       ReducedElasticity elasticity;

@@ -1,0 +1,193 @@
+#include <calibration/misfit/displacement_table.h>
+#include <datasets/system/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace swimtwin
+{
+  namespace
+  {
+    /// Displacements are smooth in the groups' logarithms, with poles about this far from the real axis: a peak of the
+    /// form x / (1 + x^2) has them at pi / 2; with the coarser features of a start from rest it is nearer.
+    constexpr double distance_of_poles = 1.;
+
+    /// Polynomials of an interval of half this width converge as the ellipse through the poles says.
+    int n_nodes_for(const double half_width, const TableOptions &options)
+    {
+      if (half_width <= 0.)
+        return 1;
+      const double x    = distance_of_poles / half_width;
+      const double rate = std::log(x + std::sqrt(1. + x * x));
+      const int    n    = 1 + static_cast<int>(std::ceil(-std::log(options.interpolation_error) / rate));
+      return std::clamp(n, 3, options.largest_n_nodes);
+    }
+
+    /// Extrema of the polynomial of degree n - 1, in [-1, 1].
+    double chebyshev_node(const int k, const int n)
+    {
+      return n == 1 ? 0. : -std::cos(std::numbers::pi * k / (n - 1));
+    }
+
+    /// T_0 .. T_{n-1}, or their derivatives.
+    Eigen::VectorXd chebyshev(const double x, const int n, const bool derivative)
+    {
+      Eigen::VectorXd T(n), D(n);
+      for (int k = 0; k < n; ++k)
+      {
+        T[k] = k == 0 ? 1. : k == 1 ? x : 2. * x * T[k - 1] - T[k - 2];
+        D[k] = k == 0 ? 0. : k == 1 ? 1. : 2. * T[k - 1] + 2. * x * D[k - 1] - D[k - 2];
+      }
+      return derivative ? D : T;
+    }
+
+    /// From values at the nodes to coefficients.
+    Eigen::MatrixXd transform(const int n)
+    {
+      Eigen::MatrixXd values(n, n);
+      for (int k = 0; k < n; ++k)
+        values.row(k) = chebyshev(chebyshev_node(k, n), n, false);
+      return values.inverse();
+    }
+  } // namespace
+
+  DisplacementTable::DisplacementTable(const CalibrationModel &model, const GroupBox &box, std::vector<int> n_nodes)
+      : groups_(model), box_(box), n_nodes_(std::move(n_nodes))
+  {
+  }
+
+  std::unique_ptr<DisplacementTable> DisplacementTable::make(const CalibrationModel               &model,
+                                                             const std::vector<SwimmingCondition> &conditions,
+                                                             const GroupBox &box, const TableOptions &options,
+                                                             std::string &failure)
+  {
+    std::vector<int> n_nodes;
+    for (Eigen::Index g = 0; g < box.lower.size(); ++g)
+      n_nodes.push_back(n_nodes_for(0.5 * (box.upper[g] - box.lower[g]), options));
+    auto table = std::unique_ptr<DisplacementTable>(new DisplacementTable(model, box, n_nodes));
+    failure    = table->fill(model, conditions, options);
+    return failure.empty() ? std::move(table) : nullptr;
+  }
+
+  Eigen::VectorXd DisplacementTable::node(std::size_t index) const
+  {
+    Eigen::VectorXd place(box_.lower.size());
+    for (Eigen::Index g = 0; g < place.size(); ++g)
+    {
+      const int n = n_nodes_[static_cast<std::size_t>(g)];
+      const int k = static_cast<int>(index % static_cast<std::size_t>(n));
+      index /= static_cast<std::size_t>(n);
+      place[g] = 0.5 * (box_.lower[g] + box_.upper[g]) + 0.5 * (box_.upper[g] - box_.lower[g]) * chebyshev_node(k, n);
+    }
+    return place;
+  }
+
+  std::string DisplacementTable::fill(const CalibrationModel &model, const std::vector<SwimmingCondition> &conditions,
+                                      const TableOptions &options)
+  {
+    const auto n_nodes = static_cast<std::size_t>(
+        std::accumulate(n_nodes_.begin(), n_nodes_.end(), 1, [](const int a, const int b) { return a * b; }));
+    Eigen::MatrixXd values(static_cast<Eigen::Index>(conditions.size()), static_cast<Eigen::Index>(n_nodes));
+    std::string     failure;
+    std::mutex      reporting;
+    std::size_t     n_done = 0;
+    parallel_for(n_nodes, options.n_threads, [&] {
+      auto exact = std::make_shared<ExactDisplacements>(
+          model, conditions, ExactOptions{.relative_tolerance = options.relative_tolerance, .by = {}});
+      return [&, exact](const std::size_t i) {
+        const Displacements  &at = exact->evaluate(groups_.swimmer(node(i)), false);
+        const std::lock_guard lock(reporting);
+        values.col(static_cast<Eigen::Index>(i)) = at.value_m;
+        if (at.failed())
+          failure = at.failure;
+        if (options.on_progress)
+          options.on_progress(static_cast<double>(++n_done) / static_cast<double>(n_nodes));
+      };
+    });
+    n_runs_ = static_cast<long>(n_nodes * conditions.size());
+    if (failure.empty())
+      set_coefficients(values);
+    return failure;
+  }
+
+  void DisplacementTable::set_coefficients(const Eigen::MatrixXd &values)
+  {
+    Eigen::MatrixXd C      = values;
+    Eigen::Index    stride = 1;
+    for (const int n : n_nodes_)
+    {
+      const Eigen::MatrixXd A = transform(n), before = C;
+      C.setZero();
+      for (Eigen::Index column = 0; column < C.cols(); ++column)
+      {
+        const Eigen::Index k = (column / stride) % n, first = column - k * stride;
+        for (Eigen::Index j = 0; j < n; ++j)
+          C.col(column) += A(k, j) * before.col(first + j * stride);
+      }
+      stride *= n;
+    }
+    coefficients_ = std::make_shared<const Eigen::MatrixXd>(std::move(C));
+    result_.value_m.resize(values.rows());
+    result_.by_logarithm.resize(values.rows(), n_motion_quantities);
+    for (int g = 0; g < groups_.size(); ++g)
+      interpolation_error_ = std::max(interpolation_error_, tail(g) / values.cwiseAbs().maxCoeff());
+  }
+
+  /// Largest sum, over the conditions, of the coefficients of a group's highest polynomial.
+  double DisplacementTable::tail(const int group) const
+  {
+    const int n = n_nodes_[static_cast<std::size_t>(group)];
+    if (n == 1)
+      return 0.;
+    Eigen::Index stride = 1;
+    for (int g = 0; g < group; ++g)
+      stride *= n_nodes_[static_cast<std::size_t>(g)];
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(coefficients_->rows());
+    for (Eigen::Index column = 0; column < coefficients_->cols(); ++column)
+      if ((column / stride) % n == n - 1)
+        sum += coefficients_->col(column).cwiseAbs();
+    return sum.maxCoeff();
+  }
+
+  Eigen::VectorXd DisplacementTable::basis(const Eigen::VectorXd &place, const int derivative_of) const
+  {
+    Eigen::VectorXd products = Eigen::VectorXd::Ones(1);
+    for (int g = 0; g < groups_.size(); ++g)
+    {
+      const Eigen::VectorXd T     = chebyshev(place[g], n_nodes_[static_cast<std::size_t>(g)], g == derivative_of);
+      const Eigen::MatrixXd outer = products * T.transpose();
+      products                    = outer.reshaped();
+    }
+    return products;
+  }
+
+  bool DisplacementTable::covers(const CalibratedSwimmer &swimmer) const
+  {
+    const Eigen::VectorXd g = groups_.values(swimmer);
+    return (g.array() >= box_.lower.array() - 1e-9).all() && (g.array() <= box_.upper.array() + 1e-9).all();
+  }
+
+  const Displacements &DisplacementTable::evaluate(const CalibratedSwimmer &swimmer, const bool derivatives)
+  {
+    const Eigen::VectorXd half   = 0.5 * (box_.upper - box_.lower);
+    const Eigen::VectorXd offset = groups_.values(swimmer) - 0.5 * (box_.upper + box_.lower);
+    const Eigen::VectorXd wanted = (half.array() > 0.).select(offset.array() / half.array(), 0.);
+    const Eigen::VectorXd place  = wanted.cwiseMax(-1.).cwiseMin(1.);
+    result_.value_m              = *coefficients_ * basis(place, -1);
+    if (derivatives)
+      result_.by_logarithm.setZero();
+    for (int g = 0; g < groups_.size(); ++g)
+    {
+      const double beyond = wanted[g] - place[g];
+      if (half[g] <= 0. || (!derivatives && beyond == 0.))
+        continue;
+      const Eigen::VectorXd slope = *coefficients_ * basis(place, g);
+      result_.value_m += beyond * slope;
+      if (derivatives)
+        result_.by_logarithm += slope / half[g] * groups_.slopes().row(g);
+    }
+    return result_;
+  }
+} // namespace swimtwin

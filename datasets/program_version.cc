@@ -1,6 +1,0 @@
-#include <datasets/provenance.h>
-
-namespace swimtwin
-{
-  const char *const current_program_version = SWIMTWIN_VERSION;
-} // namespace swimtwin

@@ -1,0 +1,207 @@
+#include <datasets/system/error.h>
+#include <datasets/files/hdf5_file.h>
+#include <datasets/files/hdf5_provenance.h>
+#include <datasets/reduced/reduced_model.h>
+#include <datasets/reduced/reduced_model_rules.h>
+#include <datasets/reduced/training_record_file.h>
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace swimtwin
+{
+  namespace
+  {
+    constexpr const char *format_name = "swimtwin reduced model";
+
+    /// One visitor for both directions.
+    template <typename Range, typename Visitor>
+    void for_each_interval(Range &range, const Visitor &visit)
+    {
+      visit("/range/young_modulus_Pa", "Pa", range.young_modulus_Pa);
+      visit("/range/viscosity_Pa_s", "Pa s", range.viscosity_Pa_s);
+      visit("/range/magnetization_A_m", "A/m", range.magnetization_A_m);
+      visit("/range/frequency_Hz", "Hz", range.frequency_Hz);
+      visit("/range/bx_T", "T", range.bx_T);
+      visit("/range/by_T", "T", range.by_T);
+    }
+
+    void write_tail(Hdf5Writer &writer, const ReducedTail &tail)
+    {
+      writer.write_matrix(
+          "/tail/nodes_m", tail.nodes_m,
+          {"m", "nodes of the quadratic tail mesh, reference configuration, origin at the head's centre"});
+      writer.write_matrix("/tail/cells", tail.cells,
+                          {"1", "nodes of each triangle: three vertices, then midpoints of edges 01, 12, 20"});
+      writer.write_matrix("/tail/modes", tail.modes,
+                          {"1", "one mode per column, interleaved components, orthonormal in the mean over the tail"});
+      if (tail.followers.rows() > 0)
+        writer.write_matrix(
+            "/tail/followers", tail.followers,
+            {"1/m", "amplitudes of the last modes: coefficients of q_i q_j, j <= i, at i (i + 1) / 2 + j"});
+      writer.write_vector("/tail/parity", tail.parity, {"1", "1: keeps a symmetric tail symmetric, -1: bends it"});
+      writer.write_vector("/tail/tip_nodes", std::array{tail.before_tip_node, tail.tip_node},
+                          {"1", "on the axis: the middle of the last edge, and the tip"});
+    }
+
+    void write_elasticity(Hdf5Writer &writer, const ReducedElasticity &elasticity)
+    {
+      const std::string gram = "energy m^T G m of the strain monomials m = (p_i, p_i p_j with j <= i), unit ";
+      writer.write_matrix("/elasticity/gram_lambda", elasticity.gram_lambda, {"m^2 / m^degree", gram + "lambda"});
+      writer.write_matrix("/elasticity/gram_mu", elasticity.gram_mu, {"m^2 / m^degree", gram + "shear modulus"});
+      writer.write_attribute("/elasticity", "poisson_ratio", elasticity.poisson_ratio);
+    }
+
+    void write_magnet(Hdf5Writer &writer, const ReducedMagnet &magnet)
+    {
+      writer.write_vector("/magnet/tail_area_m2", Eigen::VectorXd(magnet.tail_area_m2),
+                          {"m^2", "moment of the tail at rest per unit depth and magnetization"});
+      writer.write_matrix("/magnet/tail_area_of_mode_m", magnet.tail_area_of_mode_m,
+                          {"m", "its derivative by each mode's amplitude, one mode per column"});
+      writer.write_attribute("/magnet", "head_area_m2", magnet.head_area_m2);
+    }
+
+    void write_area(Hdf5Writer &writer, const ReducedArea &area)
+    {
+      writer.write_vector("/area/linear_m", area.linear_m, {"m", "linear part of the tail's change of area"});
+      writer.write_matrix("/area/quadratic", area.quadratic, {"1", "quadratic part of the tail's change of area"});
+      writer.write_attribute("/area", "is_kept", area.is_kept ? 1. : 0.);
+    }
+
+    void write_resistance(Hdf5Writer &writer, const ReducedResistance &resistance)
+    {
+      writer.write_matrix("/resistance/factor_at_rest", resistance.factor_at_rest,
+                          {"m^(0 or 1)", "L_0 of R = L_0 C C^T L_0^T, unit viscosity; Ux, Uy, omega, modes"});
+      writer.write_vector("/resistance/coordinate_scale_m", resistance.coordinate_scale_m,
+                          {"m", "of each mode's coordinate in the polynomials"});
+      writer.write_matrix("/resistance/exponents", resistance.exponents,
+                          {"1", "one monomial per row: exponents of the modes' coordinates [and of the angle]"});
+      writer.write_matrix(
+          "/resistance/coefficients", resistance.coefficients,
+          {"1", "one monomial per row; column i (i + 1) / 2 + j is entry (i, j) of C, log on the diagonal"});
+      writer.write_attribute("/resistance", "depends_on_angle", resistance.depends_on_angle ? 1. : 0.);
+      writer.write_attribute("/resistance", "angle_scale_rad", resistance.angle_scale_rad);
+    }
+
+    void require_format(const Hdf5Reader &reader, const std::filesystem::path &file)
+    {
+      if (!reader.has_attribute("/", "format") || reader.read_text_attribute("/", "format") != format_name)
+        throw InputError(fmt::format(
+            "{} is an HDF5 file, but not a reduced model; give one that `swimtwin train` made.", file.string()));
+      const double version = reader.read_number_attribute("/", "format_version");
+      if (version != ReducedModel::format_version)
+        throw InputError(fmt::format("{} is a reduced model of format version {}, and this program reads version {}; "
+                                     "train it again with this program, or use the one that made it.",
+                                     file.string(), version, ReducedModel::format_version));
+    }
+
+    Eigen::VectorXd read_column(const Hdf5Reader &reader, const std::string &path)
+    {
+      const std::vector<double> values = reader.read_vector(path);
+      return Eigen::VectorXd::Map(values.data(), static_cast<Eigen::Index>(values.size()));
+    }
+
+    template <std::size_t size, typename Scalar>
+    std::array<Scalar, size> exactly(const Hdf5Reader &reader, const std::string &path,
+                                     const std::vector<Scalar> &values)
+    {
+      std::array<Scalar, size> array{};
+      if (values.size() != size)
+        reader.refuse(path, fmt::format("has {} values; {} are needed.", values.size(), size));
+      std::copy(values.begin(), values.end(), array.begin());
+      return array;
+    }
+
+    ReducedTail read_tail(const Hdf5Reader &reader)
+    {
+      ReducedTail tail;
+      tail.nodes_m = reader.read_matrix("/tail/nodes_m");
+      tail.cells   = reader.read_int_matrix("/tail/cells");
+      tail.modes   = reader.read_matrix("/tail/modes");
+      if (reader.contains("/tail/followers"))
+        tail.followers = reader.read_matrix("/tail/followers");
+      const std::vector<int> parity = reader.read_int_vector("/tail/parity");
+      tail.parity                   = Eigen::VectorXi::Map(parity.data(), static_cast<Eigen::Index>(parity.size()));
+      const std::string path        = "/tail/tip_nodes";
+      const auto [before_tip, tip]  = exactly<2>(reader, path, reader.read_int_vector(path));
+      tail.before_tip_node          = before_tip;
+      tail.tip_node                 = tip;
+      return tail;
+    }
+
+    ReducedMagnet read_magnet(const Hdf5Reader &reader)
+    {
+      const std::string path = "/magnet/tail_area_m2";
+      const auto [x, y]      = exactly<2>(reader, path, reader.read_vector(path));
+      return {reader.read_number_attribute("/magnet", "head_area_m2"),
+              {x, y},
+              reader.read_matrix("/magnet/tail_area_of_mode_m")};
+    }
+
+    ReducedResistance read_resistance(const Hdf5Reader &reader)
+    {
+      return {reader.read_matrix("/resistance/factor_at_rest"),
+              read_column(reader, "/resistance/coordinate_scale_m"),
+              reader.read_number_attribute("/resistance", "depends_on_angle") != 0.,
+              reader.read_number_attribute("/resistance", "angle_scale_rad"),
+              reader.read_int_matrix("/resistance/exponents"),
+              reader.read_matrix("/resistance/coefficients")};
+    }
+
+    TrainedRange read_range(const Hdf5Reader &reader)
+    {
+      TrainedRange range;
+      for_each_interval(range, [&](const char *path, const char * /*units*/, Interval &interval) {
+        const auto [low, high] = exactly<2>(reader, path, reader.read_vector(path));
+        interval               = {low, high};
+      });
+      return range;
+    }
+
+  } // namespace
+
+  void write_reduced_model(const std::filesystem::path &file, const ReducedModel &model, const Provenance &provenance)
+  {
+    if (const ModelProblem problem = find_problem(model); !problem.path.empty())
+      throw ComputationError(fmt::format("cannot write {}: {} {}", file.string(), problem.path, problem.sentence));
+    Hdf5Writer writer;
+    writer.write_attribute("/", "format", format_name);
+    writer.write_attribute("/", "format_version", ReducedModel::format_version);
+    write_provenance(writer, provenance);
+    writer.write_text("/scene/name", model.scene_name, {"1", "name of the scene that the model was trained on"});
+    writer.write_text("/scene/text", model.scene_text, {"1", "that scene (TOML): nominal parameters, field, time"});
+    write_tail(writer, model.tail);
+    write_elasticity(writer, model.elasticity);
+    write_magnet(writer, model.magnet);
+    write_area(writer, model.area);
+    write_resistance(writer, model.resistance);
+    for_each_interval(model.range, [&](const char *path, const char *units, const Interval &interval) {
+      writer.write_vector(path, std::array{interval.low, interval.high},
+                          {units, "lowest and highest value in training"});
+    });
+    write_training_record(writer, model.record);
+    writer.save(file);
+  }
+
+  ReducedModel read_reduced_model(const std::filesystem::path &file)
+  {
+    const Hdf5Reader reader(file);
+    require_format(reader, file);
+    ReducedModel model;
+    model.scene_name = reader.read_text("/scene/name");
+    model.scene_text = reader.read_text("/scene/text");
+    model.tail       = read_tail(reader);
+    model.elasticity = {reader.read_matrix("/elasticity/gram_lambda"), reader.read_matrix("/elasticity/gram_mu"),
+                        reader.read_number_attribute("/elasticity", "poisson_ratio")};
+    model.magnet     = read_magnet(reader);
+    model.area       = {reader.read_number_attribute("/area", "is_kept") != 0., read_column(reader, "/area/linear_m"),
+                        reader.read_matrix("/area/quadratic")};
+    model.resistance = read_resistance(reader);
+    model.range      = read_range(reader);
+    model.record     = read_training_record(reader);
+    if (const ModelProblem problem = find_problem(model); !problem.path.empty())
+      reader.refuse(problem.path, problem.sentence);
+    return model;
+  }
+} // namespace swimtwin

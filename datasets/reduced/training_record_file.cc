@@ -1,0 +1,90 @@
+#include <datasets/files/hdf5_file.h>
+#include <datasets/reduced/training_record_file.h>
+
+#include <fmt/format.h>
+
+#include <sstream>
+
+namespace swimtwin
+{
+  namespace
+  {
+    /// One visitor for both directions.
+    template <typename Record, typename Visitor>
+    void for_each_figure(Record &record, const Visitor &visit)
+    {
+      visit("energy_captured", record.energy_captured);
+      visit("n_snapshots", record.n_snapshots);
+      visit("n_resistance_samples", record.n_resistance_samples);
+      visit("n_held_out_samples", record.n_held_out_samples);
+      visit("velocity_error_rms", record.velocity_error_rms);
+      visit("velocity_error_max", record.velocity_error_max);
+      visit("largest_condition", record.largest_condition);
+      visit("cpu_time_s", record.cpu_time_s);
+    }
+
+    constexpr int n_run_columns = 10;
+
+    Eigen::MatrixXd matrix_of(const std::vector<HeldOutRun> &runs)
+    {
+      Eigen::MatrixXd rows(static_cast<Eigen::Index>(runs.size()), n_run_columns);
+      for (Eigen::Index i = 0; i < rows.rows(); ++i)
+      {
+        const HeldOutRun &run = runs[static_cast<std::size_t>(i)];
+        rows.row(i) << run.young_modulus_Pa, run.viscosity_Pa_s, run.magnetization_A_m, run.frequency_Hz, run.bx_T,
+            run.by_T, run.displacement_m, run.displacement_error_m, run.reduced_displacement_m, run.indicator_m;
+      }
+      return rows;
+    }
+
+    std::vector<HeldOutRun> runs_of(const Eigen::MatrixXd &rows)
+    {
+      std::vector<HeldOutRun> runs;
+      for (const auto row : rows.rowwise())
+        runs.push_back({row[0], row[1], row[2], row[3], row[4], row[5], row[6], row[7], row[8], row[9]});
+      return runs;
+    }
+
+    std::vector<std::string> lines_of(const std::string &text)
+    {
+      std::istringstream       stream(text);
+      std::vector<std::string> lines;
+      for (std::string line; std::getline(stream, line);)
+        lines.push_back(line);
+      return lines;
+    }
+  } // namespace
+
+  void write_training_record(Hdf5Writer &writer, const TrainingRecord &record)
+  {
+    writer.write_vector("/training/singular_values_m", record.singular_values_m, {"m", "of the snapshots"});
+    writer.write_matrix("/training/held_out_runs", matrix_of(record.held_out_runs),
+                        {"Pa, Pa s, A/m, Hz, T, T, m, m, m, m",
+                         "young_modulus, viscosity, magnetization, frequency, bx, by, full-order displacement of the "
+                         "third period and its error, the reduced model's displacement and its error indicator"});
+    writer.write_text("/training/neglects", fmt::format("{}", fmt::join(record.neglects, "\n")),
+                      {"1", "physics that the model leaves out, one sentence per line"});
+    for_each_figure(record, [&](const char *name, const auto value) {
+      writer.write_attribute("/training", name, static_cast<double>(value));
+    });
+  }
+
+  TrainingRecord read_training_record(const Hdf5Reader &reader)
+  {
+    TrainingRecord            record;
+    const std::vector<double> sigma = reader.read_vector("/training/singular_values_m");
+    record.singular_values_m        = Eigen::VectorXd::Map(sigma.data(), static_cast<Eigen::Index>(sigma.size()));
+    record.neglects                 = lines_of(reader.read_text("/training/neglects"));
+    const Eigen::MatrixXd runs      = reader.read_matrix("/training/held_out_runs");
+    if (runs.cols() != n_run_columns)
+      reader.refuse("/training/held_out_runs",
+                    fmt::format("has {} columns; {} are needed.", runs.cols(), n_run_columns));
+    if (!runs.allFinite() || !record.singular_values_m.allFinite())
+      reader.refuse("/training", "holds a value that is not finite; train the model again.");
+    record.held_out_runs = runs_of(runs);
+    for_each_figure(record, [&](const char *name, auto &value) {
+      value = static_cast<std::decay_t<decltype(value)>>(reader.read_number_attribute("/training", name));
+    });
+    return record;
+  }
+} // namespace swimtwin

@@ -1,0 +1,165 @@
+#include <datasets/text/csv_table.h>
+#include <datasets/text/csv_writer.h>
+#include <datasets/system/error.h>
+#include <datasets/run/work_balance.h>
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <variant>
+
+namespace swimtwin
+{
+  namespace
+  {
+    struct Column
+    {
+      const char                                                                        *name;
+      std::variant<double TrajectoryRow::*, int TrajectoryRow::*, bool TrajectoryRow::*> member;
+      bool may_be_missing = false; ///< in tables of earlier versions
+    };
+
+    const std::array<Column, 25> columns{{
+        {"time_s", &TrajectoryRow::time_s},
+        {"head_x_m", &TrajectoryRow::head_x_m},
+        {"head_y_m", &TrajectoryRow::head_y_m},
+        {"head_angle_rad", &TrajectoryRow::head_angle_rad},
+        {"tail_tip_x_m", &TrajectoryRow::tail_tip_x_m},
+        {"tail_tip_y_m", &TrajectoryRow::tail_tip_y_m},
+        {"tail_angle_rad", &TrajectoryRow::tail_angle_rad},
+        {"bx_T", &TrajectoryRow::bx_T},
+        {"by_T", &TrajectoryRow::by_T},
+        {"magnetic_power_W_m", &TrajectoryRow::magnetic_power_W_m},
+        {"external_power_W_m", &TrajectoryRow::external_power_W_m},
+        {"dissipation_W_m", &TrajectoryRow::dissipation_W_m},
+        {"elastic_energy_J_m", &TrajectoryRow::elastic_energy_J_m},
+        {"kinetic_energy_J_m", &TrajectoryRow::kinetic_energy_J_m, true},
+        {"kinetic_outflow_W_m", &TrajectoryRow::kinetic_outflow_W_m, true},
+        {"kinetic_growth_W_m", &TrajectoryRow::kinetic_growth_W_m, true},
+        {"head_force_x_N_m", &TrajectoryRow::head_force_x_N_m},
+        {"head_force_y_N_m", &TrajectoryRow::head_force_y_N_m},
+        {"head_torque_N", &TrajectoryRow::head_torque_N},
+        {"fluid_force_x_N_m", &TrajectoryRow::fluid_force_x_N_m, true},
+        {"fluid_force_y_N_m", &TrajectoryRow::fluid_force_y_N_m, true},
+        {"fluid_torque_N", &TrajectoryRow::fluid_torque_N, true},
+        {"coupling_iterations", &TrajectoryRow::coupling_iterations},
+        {"n_unknowns", &TrajectoryRow::n_unknowns},
+        {"remeshed", &TrajectoryRow::remeshed},
+    }};
+
+    double value_of(const TrajectoryRow &row, const Column &column)
+    {
+      return std::visit([&](const auto member) { return static_cast<double>(row.*member); }, column.member);
+    }
+
+    void set_value(TrajectoryRow &row, const Column &column, const double value)
+    {
+      std::visit(
+          [&](const auto member) {
+            using Type = std::remove_reference_t<decltype(row.*member)>;
+            if constexpr (std::is_same_v<Type, bool>)
+              row.*member = value != 0.;
+            else
+              row.*member = static_cast<Type>(value);
+          },
+          column.member);
+    }
+
+    void require_finite_numbers(const std::filesystem::path &file, const Trajectory &trajectory)
+    {
+      for (const TrajectoryRow &row : trajectory)
+        for (const Column &column : columns)
+          if (!std::isfinite(value_of(row, column)))
+            throw ComputationError(fmt::format("cannot write {}: {} at time {} s is not a finite number", file.string(),
+                                               column.name, row.time_s));
+    }
+  } // namespace
+
+  std::vector<double> numbers_of(const TrajectoryRow &row)
+  {
+    std::vector<double> numbers;
+    for (const Column &column : columns)
+      numbers.push_back(value_of(row, column));
+    return numbers;
+  }
+
+  TrajectoryRow row_of(const std::vector<double> &numbers)
+  {
+    TrajectoryRow row;
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      set_value(row, columns[i], numbers.at(i));
+    return row;
+  }
+
+  std::vector<std::size_t> period_borders(const Trajectory &trajectory, const double period_s)
+  {
+    constexpr double         tolerance = 1e-9;
+    std::vector<std::size_t> borders;
+    for (std::size_t i = 0; i < trajectory.size(); ++i)
+    {
+      const double periods = (trajectory[i].time_s - trajectory.front().time_s) / period_s;
+      const double next    = static_cast<double>(borders.size());
+      if (std::abs(periods - next) <= tolerance * std::max(1., next))
+        borders.push_back(i);
+      else if (periods > next)
+        throw InputError(
+            fmt::format("the trajectory has no row at the end of period {} ({} s)", borders.size(), next * period_s));
+    }
+    return borders;
+  }
+
+  void summarize_motion(const Trajectory &trajectory, const double period_s, const double initial_angle_rad,
+                        const std::vector<WorkBalance> &periods, RunSummary &summary)
+  {
+    const double                   dx = -std::cos(initial_angle_rad), dy = -std::sin(initial_angle_rad);
+    const std::vector<std::size_t> borders = period_borders(trajectory, period_s);
+    summary.displacement_per_period_m.clear();
+    for (std::size_t k = 1; k < borders.size(); ++k)
+    {
+      const TrajectoryRow &start = trajectory[borders[k - 1]], &end = trajectory[borders[k]];
+      summary.displacement_per_period_m.push_back(dx * (end.head_x_m - start.head_x_m) +
+                                                  dy * (end.head_y_m - start.head_y_m));
+    }
+    summary.net_displacement_m = summary.power_imbalance = summary.worst_power_imbalance = std::nullopt;
+    summary.work_of_last_period                                                          = std::nullopt;
+    if (periods.empty())
+      return;
+    summary.net_displacement_m  = summary.displacement_per_period_m.back();
+    summary.work_of_last_period = periods.back();
+    summary.power_imbalance     = periods.back().imbalance();
+    if (const auto worst = worst_period(periods))
+      summary.worst_power_imbalance = periods[*worst].imbalance();
+  }
+
+  void summarize_motion(const Trajectory &trajectory, const double period_s, const double initial_angle_rad,
+                        RunSummary &summary)
+  {
+    summarize_motion(trajectory, period_s, initial_angle_rad, work_balance_per_period(trajectory, period_s), summary);
+  }
+
+  void write_trajectory_csv(const std::filesystem::path &file, const Trajectory &trajectory)
+  {
+    require_finite_numbers(file, trajectory);
+    std::vector<CsvColumn<TrajectoryRow>> cells;
+    for (const Column &column : columns)
+      cells.push_back({column.name, [&column](const TrajectoryRow &row) { return value_of(row, column); }});
+    csv_table(cells, trajectory).save(file);
+  }
+
+  Trajectory read_trajectory_csv(const std::filesystem::path &file)
+  {
+    const CsvTable table = CsvTable::read(file);
+    Trajectory     trajectory(table.n_rows());
+    for (const Column &column : columns)
+    {
+      if (column.may_be_missing && !table.has_column(column.name))
+        continue;
+      const std::vector<double> values = table.column(column.name);
+      for (std::size_t i = 0; i < values.size(); ++i)
+        set_value(trajectory[i], column, values[i]);
+    }
+    return trajectory;
+  }
+} // namespace swimtwin

@@ -1,0 +1,61 @@
+#include <datasets/scene/dimensionless_groups.h>
+
+#include <datasets/scene/inertia_terms.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace swimtwin
+{
+  double unsteady_group(const Scene &scene, const double frequency_Hz, const double viscosity_Pa_s)
+  {
+    const double L = scene.body_length_m();
+    return 2. * std::numbers::pi * scene.fluid->density_kg_m3 * frequency_Hz * L * L / viscosity_Pa_s;
+  }
+
+  double unsteady_group(const Scene &scene)
+  {
+    if (!scene.fluid || scene.time.period_s <= 0.)
+      return 0.;
+    return unsteady_group(scene, 1. / scene.time.period_s, scene.fluid->viscosity_Pa_s);
+  }
+
+  std::string inertia_warning(const Scene &scene)
+  {
+    const double share = neglected_share(scene);
+    if (share <= negligible_share)
+      return {};
+    return fmt::format(
+        "inertia is left out, and with it an estimated {:.2g} % of the displacement; use [numerics] coupling "
+        "= \"monolithic\" to keep it, or set [fluid] inertia = \"none\" to neglect it knowingly",
+        100. * share);
+  }
+
+  double magnetic_group(const Scene &scene)
+  {
+    if (!scene.fluid || scene.time.period_s <= 0.)
+      return 0.;
+    const auto   field = scene.field(0.25 * scene.time.period_s);
+    const double L     = scene.body_length_m();
+    return scene.head.magnetization_A_m * scene.head.area_m2() * std::hypot(field[0], field[1]) * scene.time.period_s /
+           (scene.fluid->viscosity_Pa_s * L * L);
+  }
+
+  double elastic_group(const Scene &scene, const double frequency_Hz, const double viscosity_Pa_s,
+                       const double young_modulus_Pa)
+  {
+    const Tail  &tail = *scene.tail;
+    const double h    = .5 * (tail.root_height_m + tail.tip_height_m);
+    return young_modulus_Pa * std::pow(h / tail.length_m, 3) /
+           (12. * (1. - tail.poisson_ratio * tail.poisson_ratio) * viscosity_Pa_s * frequency_Hz);
+  }
+
+  double elastic_group(const Scene &scene)
+  {
+    if (!scene.fluid || !scene.tail || scene.time.period_s <= 0.)
+      return 0.;
+    return elastic_group(scene, 1. / scene.time.period_s, scene.fluid->viscosity_Pa_s, scene.tail->young_modulus_Pa);
+  }
+} // namespace swimtwin

@@ -1,0 +1,21 @@
+// The numbers that a swimmer's motion depends on, and that say what may be neglected.
+#pragma once
+
+#include <datasets/scene/scene.h>
+
+#include <string>
+
+namespace swimtwin
+{
+  /// Unsteady group 2 pi rho f L^2 / mu: inertia of the fluid against viscosity over one period.
+  double unsteady_group(const Scene &scene);
+  /// The same at another frequency and viscosity.
+  double unsteady_group(const Scene &scene, double frequency_Hz, double viscosity_Pa_s);
+  /// A sentence if inertia is neglected without the scene having said so, and is not small; else empty.
+  std::string inertia_warning(const Scene &scene);
+  /// Magnetic torque against the viscous torque of a turn per period: M A B / (mu f L^2), and the elastic group
+  /// E h^3 / (12 (1 - nu^2) mu f L^3) with the tail's mean height h. Zero where the scene lacks what they need.
+  double magnetic_group(const Scene &scene);
+  double elastic_group(const Scene &scene);
+  double elastic_group(const Scene &scene, double frequency_Hz, double viscosity_Pa_s, double young_modulus_Pa);
+} // namespace swimtwin

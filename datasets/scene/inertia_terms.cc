@@ -1,0 +1,127 @@
+#include <datasets/scene/inertia_terms.h>
+
+#include <datasets/scene/dimensionless_groups.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace swimtwin
+{
+  namespace
+  {
+    constexpr InertiaTerms all_terms{.unsteady = true, .convective = true, .tail = true, .head = true};
+
+    InertiaTerms chosen_by_share(const Scene &scene)
+    {
+      if (scene.numerics.coupling == CouplingScheme::fixed_point && scene.tail)
+        return {};
+      const auto [fluid, tail, head] = inertia_shares(scene);
+      const bool has_fluid           = fluid > negligible_share;
+      return {.unsteady   = has_fluid,
+              .convective = has_fluid,
+              .tail       = tail > negligible_share,
+              .head       = head > negligible_share};
+    }
+
+    InertiaTerms asked_for(const Scene &scene)
+    {
+      if (!scene.fluid)
+        return {.tail = scene.tail && scene.tail->has_inertia_in_vacuum};
+      switch (scene.fluid->inertia)
+      {
+      case Inertia::full:
+        return all_terms;
+      case Inertia::chosen:
+        return scene.fluid->chosen;
+      case Inertia::automatic:
+        return chosen_by_share(scene);
+      case Inertia::none:
+        return {};
+      }
+      return {};
+    }
+
+    double tail_area_m2(const Tail &tail)
+    {
+      return tail.length_m * .5 * (tail.root_height_m + tail.tip_height_m);
+    }
+
+    /// Share of a whole of which `odds` is the ratio to the rest.
+    double share_of_odds(const double odds)
+    {
+      return odds / (1. + odds);
+    }
+  } // namespace
+
+  InertiaTerms inertia_terms(const Scene &scene)
+  {
+    InertiaTerms terms = asked_for(scene);
+    terms.tail         = terms.tail && scene.tail && !scene.time.is_steady;
+    terms.head         = terms.head && !scene.head.fixed && !scene.time.is_steady;
+    return terms;
+  }
+
+  double InertiaShares::together() const
+  {
+    const auto odds = [](const double share) { return share < 1. ? share / (1. - share) : 1e300; };
+    return share_of_odds(std::min(1e15, odds(fluid) + odds(tail) + odds(head)));
+  }
+
+  InertiaShares inertia_shares(const Scene &scene, const double frequency_Hz, const double viscosity_Pa_s,
+                               const double young_modulus_Pa)
+  {
+    if (!scene.fluid)
+      return {};
+    // Net displacement without inertia comes from the tail's compliance, with it also from inertia: the ratio of both
+    // is that of the unsteady group to the inverse of the elastic one; a tail so soft that it gives all it can leaves
+    // the unsteady group alone. Factors: the reference swimmer from 0.1 to 3 Hz, at 1.52 and 0.15 Pa s, from 20 kPa to
+    // 1 MPa (docs/study.md), and mass of head and tail as shares of rho_f L^2 there.
+    constexpr double stiff_factor = 0.01, soft_factor = 0.044;
+    constexpr double head_mass_there = 0.065, tail_mass_there = 0.103;
+    const double     L        = scene.body_length_m();
+    const double     unsteady = unsteady_group(scene, frequency_Hz, viscosity_Pa_s);
+    const double     mass     = scene.fluid->density_kg_m3 * L * L;
+    const double     head     = scene.head.density_kg_m3 * scene.head.area_m2() / mass / head_mass_there;
+    const double     tail =
+        scene.tail ? scene.tail->density_kg_m3 * tail_area_m2(*scene.tail) / mass / tail_mass_there : 0.;
+    if (!scene.tail || scene.tail->is_rigid())
+      return {1., tail > 0. ? 1. : 0., scene.head.fixed ? 0. : 1.}; // nothing else gets a rigid body anywhere
+    const double stiff = stiff_factor * unsteady * (1. + unsteady) *
+                         elastic_group(scene, frequency_Hz, viscosity_Pa_s, young_modulus_Pa);
+    const double soft = soft_factor * unsteady;
+    return {share_of_odds(.4 * stiff + .6 * soft), share_of_odds((.2 * stiff + .2 * soft) * tail),
+            scene.head.fixed ? 0. : share_of_odds((.6 * stiff + .35 * soft) * head)};
+  }
+
+  InertiaShares inertia_shares(const Scene &scene)
+  {
+    if (!scene.fluid || scene.time.period_s <= 0.)
+      return {};
+    InertiaShares shares = inertia_shares(scene, 1. / scene.time.period_s, scene.fluid->viscosity_Pa_s,
+                                          scene.tail ? scene.tail->young_modulus_Pa : 0.);
+    // A stream past the body: its forces change by some hundredths of its Reynolds number.
+    constexpr double by_reynolds_number = 0.05;
+    double           speed              = 0.;
+    for (const auto &[name, wall] : scene.domain->walls)
+      speed = std::max(speed, std::abs(wall.speed_m_s));
+    const double reynolds_number =
+        scene.fluid->density_kg_m3 * speed * scene.body_length_m() / scene.fluid->viscosity_Pa_s;
+    shares.fluid = std::max(shares.fluid, share_of_odds(by_reynolds_number * reynolds_number));
+    return shares;
+  }
+
+  double neglected_share(const Scene &scene)
+  {
+    if (!scene.fluid || scene.fluid->inertia != Inertia::automatic)
+      return 0.;
+    const InertiaTerms terms  = inertia_terms(scene);
+    InertiaShares      shares = inertia_shares(scene);
+    if (terms.of_fluid())
+      shares.fluid = 0.;
+    if (terms.tail)
+      shares.tail = 0.;
+    if (terms.head)
+      shares.head = 0.;
+    return shares.together();
+  }
+} // namespace swimtwin

@@ -1,0 +1,131 @@
+#include <datasets/scene/mirror_plane.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace swimtwin
+{
+  namespace
+  {
+    using Condition = WallCondition;
+
+    bool is_magnetised(const Scene &scene)
+    {
+      return scene.head.magnetization_A_m != 0. || (scene.tail && scene.tail->magnetization_A_m != 0.);
+    }
+
+    bool has_transverse_field(const FieldProgram &field)
+    {
+      return field.by_T() != 0. ||
+             std::any_of(field.b_T().begin(), field.b_T().end(), [](const auto &b) { return b[1] != 0.; });
+    }
+
+    /// Whether a moment along +x ever points against the field along x.
+    bool points_against_field(const double magnetization_A_m, const FieldProgram &field)
+    {
+      return magnetization_A_m * field.bx_T() < 0. ||
+             std::any_of(field.b_T().begin(), field.b_T().end(),
+                         [&](const auto &b) { return magnetization_A_m * b[0] < 0.; });
+    }
+
+    bool moves(const Wall &wall)
+    {
+      return (wall.condition == Condition::moving_wall || wall.condition == Condition::inflow) && wall.speed_m_s != 0.;
+    }
+
+    bool moves_alike(const Wall &a, const Wall &b)
+    {
+      return a.condition == b.condition && a.speed_m_s == b.speed_m_s && a.profile == b.profile && a.ramp_s == b.ramp_s;
+    }
+
+    /// A clause on a wall that is not its own mirror image; empty if all are.
+    std::string asymmetric_wall(const Domain &domain)
+    {
+      const auto &walls = domain.walls;
+      for (const char *across : {"left", "right", "outer", "inner"})
+        if (const auto found = walls.find(across);
+            found != walls.end() && found->second.condition == Condition::moving_wall && moves(found->second))
+          return std::string("the wall ") + across + " moves across the axis";
+      if (walls.count("bottom") != 0 && !moves_alike(walls.at("bottom"), walls.at("top")))
+        return "the walls bottom and top differ";
+      return {};
+    }
+
+    std::string why_missing(const Scene &scene)
+    {
+      if (scene.head.angle_rad != 0.)
+        return "the swimmer starts at an angle";
+      if (scene.domain && scene.domain->center_m[1] != scene.head.center_m[1])
+        return "the head is not on the domain's axis";
+      if (scene.gravity.acceleration_m_s2[1] != 0.)
+        return "gravity acts across the axis";
+      if (is_magnetised(scene) && has_transverse_field(scene.field))
+        return "the field acts across the axis";
+      return scene.domain ? asymmetric_wall(*scene.domain) : std::string();
+    }
+
+    /// Net weight (N/m^3, along +x) of a material in the scene's fluid.
+    double weight_along_x(const Scene &scene, const double density_kg_m3)
+    {
+      return (density_kg_m3 - (scene.fluid ? scene.fluid->density_kg_m3 : 0.)) * scene.gravity.acceleration_m_s2[0];
+    }
+
+    bool has_driven_flow(const Scene &scene)
+    {
+      return scene.domain && std::any_of(scene.domain->walls.begin(), scene.domain->walls.end(),
+                                         [](const auto &entry) { return moves(entry.second); });
+    }
+
+    /// A flow from the left alone: it pulls on a tail that is held at its root.
+    bool flow_pulls_on_tail(const Domain &domain)
+    {
+      return std::all_of(domain.walls.begin(), domain.walls.end(), [](const auto &entry) {
+        const auto &[name, wall] = entry;
+        return !moves(wall) || (name == "left" && wall.condition == Condition::inflow && wall.speed_m_s > 0.);
+      });
+    }
+
+    std::string why_doubtful(const Scene &scene)
+    {
+      const auto &tail = scene.tail;
+      if (!scene.head.fixed && points_against_field(scene.head.magnetization_A_m, scene.field))
+        return "the head's magnetization points against the field, which turns it away from the axis";
+      if (tail && points_against_field(tail->magnetization_A_m, scene.field))
+        return "the tail's magnetization points against the field, which turns it away from the axis";
+      if (!scene.head.fixed && (has_driven_flow(scene) || weight_along_x(scene, scene.head.density_kg_m3) != 0. ||
+                                (tail && weight_along_x(scene, tail->density_kg_m3) != 0.)))
+        return "a free body in a flow or falling may turn or drift away from the axis";
+      if (scene.head.fixed && tail && weight_along_x(scene, tail->density_kg_m3) < 0.)
+        return "the tail's weight compresses it, and it may buckle";
+      if (tail && scene.domain && !flow_pulls_on_tail(*scene.domain))
+        return "the flow may compress the tail, and it may buckle";
+      return {};
+    }
+  } // namespace
+
+  MirrorPlane find_mirror_plane(const Scene &scene)
+  {
+    MirrorPlane plane{why_missing(scene), {}};
+    if (plane.exists())
+      plane.doubt = why_doubtful(scene);
+    return plane;
+  }
+
+  bool solves_half(const Scene &scene)
+  {
+    if (scene.numerics.symmetric_half != SymmetricHalf::automatic)
+      return scene.numerics.symmetric_half == SymmetricHalf::on;
+    const bool is_partitioned = scene.numerics.coupling == CouplingScheme::fixed_point && scene.fluid && scene.tail;
+    const MirrorPlane plane   = find_mirror_plane(scene);
+    return plane.exists() && plane.doubt.empty() && !is_partitioned;
+  }
+
+  std::string symmetry_warning(const Scene &scene)
+  {
+    const std::string doubt = find_mirror_plane(scene).doubt;
+    if (doubt.empty() || !solves_half(scene))
+      return {};
+    return "the motion is kept symmetric ([numerics] symmetric_half = \"on\"), but " + doubt +
+           "; compare with symmetric_half = \"off\"";
+  }
+} // namespace swimtwin

@@ -1,0 +1,28 @@
+// The mirror plane of a scene: half of it then tells the other half.
+#pragma once
+
+#include <datasets/scene/scene.h>
+
+#include <string>
+
+namespace swimtwin
+{
+  /// The plane through the head's centre along x. It exists if geometry, walls and all loads are their own mirror
+  /// images at it; then the motion is too, unless it leaves an unstable equilibrium.
+  struct MirrorPlane
+  {
+    std::string missing; ///< one clause: why the scene has none; empty if it has
+    std::string doubt;   ///< one clause: what may turn the symmetric motion unstable; empty if nothing does
+
+    bool exists() const { return missing.empty(); }
+  };
+
+  MirrorPlane find_mirror_plane(const Scene &scene);
+
+  /// Whether a run solves the upper half and reflects it: when the scene asks for it, or leaves the choice open, has a
+  /// plane beyond doubt and is not partitioned.
+  bool solves_half(const Scene &scene);
+
+  /// A sentence for a run that solves half of a scene whose symmetric motion may be unstable; empty for others.
+  std::string symmetry_warning(const Scene &scene);
+} // namespace swimtwin

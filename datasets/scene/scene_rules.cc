@@ -1,0 +1,348 @@
+#include <datasets/scene/inertia_terms.h>
+#include <datasets/scene/mirror_plane.h>
+#include <datasets/scene/scene_names.h>
+#include <datasets/scene/scene_rules.h>
+#include <datasets/scene/swimmer_clearance.h>
+#include <datasets/text/toml_document.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace swimtwin
+{
+  namespace
+  {
+    constexpr int    steps_per_period_min = 10;
+    constexpr double n_steps_max          = 1e9;
+
+    bool has(const TomlDocument &document, const std::string &table, const std::string &key)
+    {
+      return document.find(join_path(table, key)) != nullptr;
+    }
+
+    void need_entry(const TomlDocument &document, const std::string &table, const std::string &key,
+                    const std::string &reason)
+    {
+      if (!has(document, table, key))
+        document.refuse(table, key, fmt::format("is missing; {}.", reason));
+    }
+
+    void refuse_entry(const TomlDocument &document, const std::string &table, const std::string &key,
+                      const std::string &reason)
+    {
+      if (has(document, table, key))
+        document.refuse(table, key, reason);
+    }
+
+    void check_head_entries(const TomlDocument &document, const Head &head)
+    {
+      const bool        disc  = head.shape == HeadShape::disc;
+      const std::string other = disc ? "size_m" : "diameter_m", needed = disc ? "diameter_m" : "size_m";
+      const std::string shape(to_string(head.shape));
+      refuse_entry(document, "head", other, fmt::format("does not belong to the shape {}; give {}.", shape, needed));
+      need_entry(document, "head", needed, fmt::format("the shape {} needs it, in m", shape));
+    }
+
+    void check_domain_entries(const TomlDocument &document, const Domain &domain)
+    {
+      const bool straight = domain.shape == DomainShape::box || domain.shape == DomainShape::channel;
+      const bool annulus  = domain.shape == DomainShape::annulus;
+      const auto check    = [&](const std::string &key, const bool belongs) {
+        const std::string shape(to_string(domain.shape));
+        if (belongs)
+          need_entry(document, "domain", key, fmt::format("the shape {} needs it, in m", shape));
+        else
+          refuse_entry(document, "domain", key, fmt::format("does not belong to the shape {}; remove it.", shape));
+      };
+      check("size_m", straight);
+      check("radius_m", !straight);
+      check("inner_radius_m", annulus);
+      if (annulus && domain.inner_radius_m >= domain.radius_m)
+        document.refuse(
+            "domain", "inner_radius_m",
+            fmt::format("m is not smaller than radius_m = {} m; the fluid is between both circles.", domain.radius_m));
+    }
+
+    void check_parts(const TomlDocument &document, const Scene &scene)
+    {
+      if (scene.fluid && !scene.domain)
+        document.refuse("fluid", "", "needs a [domain] that the fluid fills; add it, or remove [fluid].");
+      if (scene.domain && !scene.fluid)
+        document.refuse("domain", "", "needs a [fluid] that fills it; add it, or remove [domain].");
+      if (!scene.fluid && !scene.tail)
+        document.refuse("head", "", "is rigid and alone, so there is nothing to solve; add a [fluid] or a [tail].");
+      if (!scene.fluid && !scene.head.fixed)
+        document.refuse("head", "motion",
+                        has(document, "head", "motion")
+                            ? "has nothing to hold the head without a [fluid]; set it to \"fixed\", or add a [fluid]."
+                            : "must be \"fixed\" without a [fluid], because nothing else holds the head.");
+      if (!scene.head.fixed)
+        need_entry(document, "head", "density_kg_m3", "a free head needs it, in kg/m^3");
+    }
+
+    void check_inertia(const TomlDocument &document, const Scene &scene)
+    {
+      if (scene.fluid)
+        refuse_entry(document, "tail", "inertia", "is for a tail without [fluid]; write [fluid] inertia instead.");
+      if (scene.numerics.coupling == CouplingScheme::fixed_point && scene.tail && inertia_terms(scene).any())
+        document.refuse(
+            "numerics", "coupling",
+            "cannot be \"fixed-point\" with inertia: where the fluid is as heavy as the body that iteration "
+            "does not converge; use \"monolithic\", or [fluid] inertia = \"none\".");
+    }
+
+    void check_steady(const TomlDocument &document, const Scene &scene)
+    {
+      if (!scene.time.is_steady)
+        return;
+      if (!scene.head.fixed)
+        document.refuse("time", "steady", "is for a head that is fixed; set [head] motion = \"fixed\", or remove it.");
+      if (scene.field.waveform() != FieldProgram::Waveform::none)
+        document.refuse("time", "steady", "does not go with a [field], which changes in time; remove one of them.");
+    }
+
+    void check_coupling(const TomlDocument &document, const Scene &scene)
+    {
+      if (scene.numerics.coupling == CouplingScheme::fixed_point && scene.tail &&
+          !scene.domain->has_traction_free_wall())
+        document.refuse(
+            "numerics", "coupling",
+            "cannot be \"fixed-point\" in a domain without a traction-free wall: the shape rate it gives the "
+            "fluid changes the tail's area, and the closed fluid's volume cannot change; use \"monolithic\".");
+    }
+
+    void check_symmetry(const TomlDocument &document, const Scene &scene)
+    {
+      if (scene.numerics.symmetric_half != SymmetricHalf::on)
+        return;
+      if (const MirrorPlane plane = find_mirror_plane(scene); !plane.exists())
+        document.refuse(
+            "numerics", "symmetric_half",
+            fmt::format("needs a scene that is its own mirror image, but {}; use \"auto\" or \"off\".", plane.missing));
+      if (scene.numerics.coupling == CouplingScheme::fixed_point && scene.fluid && scene.tail)
+        document.refuse("numerics", "symmetric_half",
+                        "does not go with coupling = \"fixed-point\", which solves the whole scene; use \"off\", or "
+                        "coupling = \"monolithic\".");
+    }
+
+    void check_wall(const TomlDocument &document, const Domain &domain, const std::string &name, const Wall &wall)
+    {
+      const std::string path     = "domain.walls." + name;
+      const bool        straight = domain.shape == DomainShape::box || domain.shape == DomainShape::channel;
+      const bool        inflow   = wall.condition == WallCondition::inflow;
+      if (inflow && !straight)
+        document.refuse("domain.walls", name,
+                        "cannot be an inflow; inflows need a straight wall of a box or a channel.");
+      if (inflow || wall.condition == WallCondition::moving_wall)
+      {
+        if (!has(document, path, "speed_m_s"))
+          document.refuse("domain.walls", name,
+                          fmt::format("has no speed; write {} = {{ condition = \"{}\", speed_m_s = ... }}.", name,
+                                      to_string(wall.condition)));
+      }
+      else
+      {
+        const std::string reason = fmt::format("does not belong to a {} wall; remove it.", to_string(wall.condition));
+        refuse_entry(document, path, "speed_m_s", reason);
+        refuse_entry(document, path, "ramp_s", reason);
+      }
+      if (!inflow)
+        refuse_entry(document, path, "profile", "belongs to an inflow only; remove it.");
+    }
+
+    void check_inflow_has_outflow(const TomlDocument &document, const Domain &domain)
+    {
+      const auto find = [&](const WallCondition condition) {
+        return std::find_if(domain.walls.begin(), domain.walls.end(),
+                            [&](const auto &entry) { return entry.second.condition == condition; });
+      };
+      const auto inflow = find(WallCondition::inflow);
+      if (inflow != domain.walls.end() && find(WallCondition::traction_free) == domain.walls.end())
+        document.refuse("domain.walls", inflow->first,
+                        "is an inflow, but the fluid cannot leave; make at least one other wall \"traction-free\".");
+    }
+
+    void check_moving_domain(const TomlDocument &document, const Domain &domain)
+    {
+      if (!domain.moves_with_swimmer)
+        return;
+      if (domain.shape != DomainShape::disc)
+        document.refuse("domain", "moves_with_swimmer", "is for the shape disc only; remove it, or use a disc.");
+      if (domain.walls.at("outer").condition != WallCondition::no_slip)
+        document.refuse("domain", "moves_with_swimmer",
+                        "needs a no-slip outer wall; set [domain.walls] outer = \"no-slip\".");
+    }
+
+    void check_walls(const TomlDocument &document, const Domain &domain)
+    {
+      for (const auto &[name, wall] : domain.walls)
+        check_wall(document, domain, name, wall);
+      check_inflow_has_outflow(document, domain);
+      check_moving_domain(document, domain);
+    }
+
+    /// The sides start on the head's curve and must leave it: their direction points out of the ellipse.
+    bool sides_leave_the_head(const Head &head, const Tail &tail)
+    {
+      if (head.shape == HeadShape::rectangle)
+        return true;
+      const TailOutline sides = tail_outline(head, tail);
+      const double      a = 0.5 * head.size_m[0], b = 0.5 * head.size_m[1];
+      const double      dx = sides.x_end_m - sides.x_root_m, dy = 0.5 * (tail.tip_height_m - tail.root_height_m);
+      return dx * sides.x_root_m / (a * a) + dy * 0.5 * tail.root_height_m / (b * b) > 0.;
+    }
+
+    void check_tail(const TomlDocument &document, const Head &head, const Tail &tail)
+    {
+      if (tail.root_height_m > head.size_m[1])
+        document.refuse("tail", "root_height_m",
+                        fmt::format("m is larger than the head's height of {} m; the tail must start on the head.",
+                                    head.size_m[1]));
+      if (tail.tip_height_m > tail.root_height_m)
+        document.refuse("tail", "tip_height_m",
+                        fmt::format("m is larger than root_height_m = {} m; a tail does not widen towards its tip.",
+                                    tail.root_height_m));
+      if (tail.tip == TipShape::rounded && 0.5 * tail.tip_height_m >= tail.length_m)
+        document.refuse(
+            "tail", "tip_height_m",
+            fmt::format("m gives a rounded tip of radius {} m that is not shorter than the tail (length_m = {} "
+                        "m); reduce it.",
+                        0.5 * tail.tip_height_m, tail.length_m));
+      if (!sides_leave_the_head(head, tail))
+        document.refuse("tail", "root_height_m",
+                        "m lets the tail's tapering sides cut into the head's curve; reduce it, or taper less.");
+    }
+
+    void check_clearance(const TomlDocument &document, const Scene &scene)
+    {
+      const Clearance clearance = swimmer_clearance(scene);
+      // round-off of a body that is placed exactly on a wall
+      if (clearance.distance_m > 1e-9 * scene.body_length_m())
+        return;
+      const std::string verb = clearance.distance_m < -1e-9 * scene.body_length_m()
+                                   ? fmt::format("reaches {:.4g} m beyond", -clearance.distance_m)
+                                   : std::string("touches");
+      document.refuse(
+          "domain", "",
+          fmt::format("does not contain the swimmer, which {} the {} wall; enlarge the domain, or move the head.", verb,
+                      clearance.wall));
+    }
+
+    void check_time(const TomlDocument &document, const Scene &scene)
+    {
+      const TimeSettings &time = scene.time;
+      if (scene.field.period_s() > 0. && time.steps_per_period < steps_per_period_min)
+        document.refuse("time", "steps_per_period",
+                        fmt::format("gives {} steps per half swing; at least {} steps per period are needed.",
+                                    0.5 * time.steps_per_period, steps_per_period_min));
+      const double n_steps = time.periods * time.steps_per_period;
+      if (n_steps > n_steps_max)
+        document.refuse("time", "periods",
+                        fmt::format("gives {:.3g} steps; at most {:.0e} are possible.", n_steps, n_steps_max));
+      if (std::abs(n_steps - std::round(n_steps)) > 1e-9 * n_steps)
+        document.refuse("time", "periods",
+                        fmt::format("of {} steps gives {:.6g} steps; choose a whole number of steps.",
+                                    time.steps_per_period, n_steps));
+    }
+
+    void check_mesh_sizes(const TomlDocument &document, const Numerics &numerics)
+    {
+      if (numerics.mesh_size_corner_m > numerics.mesh_size_m)
+        document.refuse(
+            "numerics", has(document, "numerics", "mesh_size_corner_m") ? "mesh_size_corner_m" : "mesh_size_m",
+            fmt::format("m: the mesh size at corners ({} m) is larger than on the surface ({} m); reduce it.",
+                        numerics.mesh_size_corner_m, numerics.mesh_size_m));
+      if (numerics.mesh_size_far_m < numerics.mesh_size_m)
+        document.refuse(
+            "numerics", has(document, "numerics", "mesh_size_far_m") ? "mesh_size_far_m" : "mesh_size_m",
+            fmt::format("m: the mesh size far away ({} m) is smaller than on the surface ({} m); enlarge it.",
+                        numerics.mesh_size_far_m, numerics.mesh_size_m));
+    }
+  } // namespace
+
+  void check_dimension(const TomlDocument &document, const int dimension)
+  {
+    if (dimension == 3)
+      document.refuse("", "dimension", "is not available yet, 3D arrives later; use dimension = 2.");
+    if (dimension != 2)
+      document.refuse("", "dimension", "is not a space that swimmers live in; use dimension = 2.");
+  }
+
+  void check_shape_entries(const TomlDocument &document, const Scene &scene)
+  {
+    check_head_entries(document, scene.head);
+    if (scene.domain)
+      check_domain_entries(document, *scene.domain);
+  }
+
+  void check_field_entries(const TomlDocument &document)
+  {
+    if (has(document, "field", "program"))
+    {
+      for (const char *key : {"waveform", "bx_T", "by_T", "frequency_Hz"})
+        refuse_entry(document, "field", key,
+                     "does not go with a program, which gives the whole field; remove one of both.");
+      return need_entry(
+          document, "field", "period_s",
+          "a program needs the period after which it repeats, in s, here or in NAME.json beside NAME.csv");
+    }
+    for (const char *key : {"period_s", "program_sha256"})
+      refuse_entry(document, "field", key, "goes with a program only; remove it, or add program = \"file.csv\".");
+    for (const char *key : {"bx_T", "by_T"})
+      need_entry(document, "field", key, "give both components of the field, in T");
+
+    const toml::node *waveform = document.find("field.waveform");
+    const std::string word     = waveform == nullptr ? "sinusoidal" : waveform->value_or<std::string>("");
+    if (word == to_string(FieldProgram::Waveform::sinusoidal))
+      need_entry(document, "field", "frequency_Hz", "a sinusoidal field needs it, in Hz");
+    else if (word == to_string(FieldProgram::Waveform::constant))
+      refuse_entry(document, "field", "frequency_Hz", "does not belong to a constant field; remove it.");
+    else
+      document.refuse("field", "waveform",
+                      "cannot be chosen here; use \"sinusoidal\" or \"constant\", give a program, or "
+                      "leave [field] out.");
+  }
+
+  void check_time_entries(const TomlDocument &document, const bool field_is_periodic, const bool is_steady)
+  {
+    if (is_steady)
+    {
+      for (const char *key : {"duration_s", "steps", "periods", "steps_per_period"})
+        refuse_entry(document, "time", key, "does not go with steady = true; remove one of them.");
+      return;
+    }
+    const std::string reason = field_is_periodic
+                                   ? "does not go with a periodic field; give periods and steps_per_period."
+                                   : "needs a periodic field; give duration_s and steps.";
+    for (const char *key : {"duration_s", "steps"})
+      if (field_is_periodic)
+        refuse_entry(document, "time", key, reason);
+      else
+        need_entry(document, "time", key, "without a periodic field give duration_s in s and the number of steps");
+    for (const char *key : {"periods", "steps_per_period"})
+      if (!field_is_periodic)
+        refuse_entry(document, "time", key, reason);
+      else
+        need_entry(document, "time", key, "with a periodic field give periods and steps_per_period");
+  }
+
+  void check_scene(const TomlDocument &document, const Scene &scene)
+  {
+    check_parts(document, scene);
+    check_inertia(document, scene);
+    check_steady(document, scene);
+    if (scene.tail)
+      check_tail(document, scene.head, *scene.tail);
+    if (scene.domain)
+    {
+      check_walls(document, *scene.domain);
+      check_coupling(document, scene);
+      check_clearance(document, scene);
+    }
+    check_symmetry(document, scene);
+    check_time(document, scene);
+    check_mesh_sizes(document, scene.numerics);
+  }
+} // namespace swimtwin

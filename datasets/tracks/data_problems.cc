@@ -1,0 +1,42 @@
+#include <datasets/tracks/data_problems.h>
+
+#include <fmt/format.h>
+
+namespace swimtwin
+{
+  void DataProblems::add(const Severity severity, std::string text)
+  {
+    n_errors_ += severity == Severity::error ? 1 : 0;
+    problems_.push_back({severity, std::move(text)});
+  }
+
+  void DataProblems::append(const DataProblems &others)
+  {
+    for (const DataProblem &problem : others.problems_)
+      add(problem.severity, problem.text);
+  }
+
+  std::vector<std::string> DataProblems::texts(const Severity severity) const
+  {
+    std::vector<std::string> found;
+    for (const DataProblem &problem : problems_)
+      if (problem.severity == severity)
+        found.push_back(problem.text);
+    return found;
+  }
+
+  std::vector<DataProblem> DataProblems::all() const
+  {
+    std::vector<DataProblem> sorted;
+    for (const Severity severity : {Severity::error, Severity::warning})
+      for (const std::string &text : texts(severity))
+        sorted.push_back({severity, text});
+    return sorted;
+  }
+
+  void DataProblems::throw_errors() const
+  {
+    if (has_errors())
+      throw InputError(fmt::format("{}", fmt::join(texts(Severity::error), "\n")));
+  }
+} // namespace swimtwin

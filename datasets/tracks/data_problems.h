@@ -1,0 +1,56 @@
+// What is wrong with a user's data files, all of it at once.
+#pragma once
+
+#include <datasets/system/error.h>
+
+#include <string>
+#include <vector>
+
+namespace swimtwin
+{
+  enum class Severity { warning, error };
+
+  /// Something to know about a data file.
+  struct DataProblem
+  {
+    Severity    severity = Severity::error;
+    std::string text; ///< `file:line: what is wrong; remedy.`
+  };
+
+  /// Collects problems in the order in which they are found.
+  class DataProblems
+  {
+  public:
+    void error(std::string text) { add(Severity::error, std::move(text)); }
+    void warning(std::string text) { add(Severity::warning, std::move(text)); }
+    void append(const DataProblems &others);
+    /// Run `read` and note the InputError that it may throw as an error; false if it did.
+    template <typename Action>
+    bool attempt(const Action &read)
+    {
+      try
+      {
+        read();
+        return true;
+      }
+      catch (const InputError &problem)
+      {
+        error(problem.what());
+        return false;
+      }
+    }
+
+    bool has_errors() const { return n_errors_ > 0; }
+    /// Errors first.
+    std::vector<DataProblem> all() const;
+    std::vector<std::string> texts(Severity severity) const;
+    /// Throw InputError with all errors, one per line, if there are any.
+    void throw_errors() const;
+
+  private:
+    void add(Severity severity, std::string text);
+
+    std::vector<DataProblem> problems_;
+    std::size_t              n_errors_ = 0;
+  };
+} // namespace swimtwin

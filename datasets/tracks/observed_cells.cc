@@ -1,0 +1,202 @@
+#include <datasets/system/nearest_name.h>
+#include <datasets/tracks/observed_cells.h>
+#include <datasets/text/toml_table.h>
+#include <datasets/text/unit_names.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace swimtwin
+{
+  namespace
+  {
+    bool is_number(const std::string &name)
+    {
+      return parse_number(name, DecimalMark::point) || parse_number(name, DecimalMark::comma);
+    }
+
+    /// The row that holds the name of a column below what was taken for the header.
+    std::optional<std::size_t> find_row_of_names(const CsvTable &table, const std::string &column)
+    {
+      for (std::size_t row = 0; row < table.n_rows(); ++row)
+        for (const std::string &cell : table.cells(row))
+          if (cell == column || factor_between_names(cell, column))
+            return row;
+      return std::nullopt;
+    }
+
+    /// What names of the same stem lack: a unit at all, or one that can be converted.
+    std::string remedy_for_unit(const std::vector<std::string> &names, const std::string &column)
+    {
+      for (const NameWithUnit &wanted : readings_of(column))
+        if (!wanted.unit.empty() && unit_factor(wanted.unit, wanted.unit))
+          for (const std::string &name : names)
+            for (const NameWithUnit &reading : readings_of(name))
+              if (reading.stem == wanted.stem)
+                return reading.unit.empty()
+                           ? fmt::format("write the unit of \"{}\" into its name, as in {}; other units are converted",
+                                         name, column)
+                           : fmt::format(
+                                 "\"{}\" is in {}, whose size is not known here: compute the numbers in {} and name "
+                                 "them {}",
+                                 name, reading.unit, wanted.unit, column);
+      return "";
+    }
+
+    std::string remedy_for_header(const CsvTable &table, const std::string &column, const std::string_view unit)
+    {
+      const std::vector<std::string> &names = table.column_names();
+      if (const std::string remedy = remedy_for_unit(names, column); !remedy.empty())
+        return remedy;
+      return fmt::format("add it ({}), or rename the column that holds it (nearest name: {})", unit,
+                         nearest_name(column, names));
+    }
+
+    std::vector<std::size_t> columns_in_other_units(const CsvTable &table, const std::string &column)
+    {
+      std::vector<std::size_t> found;
+      const auto              &names = table.column_names();
+      for (std::size_t i = 0; i < names.size(); ++i)
+        if (factor_between_names(names[i], column))
+          found.push_back(i);
+      return found;
+    }
+
+    void note_missing(const CsvTable &table, const std::string &column, const std::string_view unit,
+                      DataProblems &problems)
+    {
+      const std::vector<std::size_t> others = columns_in_other_units(table, column);
+      const auto                    &names  = table.column_names();
+      if (others.size() > 1)
+        problems.error(
+            fmt::format("{}: the column {} is missing, and \"{}\" and \"{}\" may both be it; keep one of them.",
+                        table.where_header(), column, names[others[0]], names[others[1]]));
+      else
+        problems.error(fmt::format("{}: the column {} is missing; {}.", table.where_header(), column,
+                                   remedy_for_header(table, column, unit)));
+    }
+
+    std::vector<double> checked_cells(const CsvTable &table, const std::string &column, const std::string_view unit,
+                                      DataProblems &problems, const std::string_view remedy_if_not_positive)
+    {
+      const std::optional<QuantityColumn> found = find_quantity(table, column);
+      if (!found)
+      {
+        note_missing(table, column, unit, problems);
+        return {};
+      }
+      CellFaults          faults(table, found->index);
+      std::vector<double> values;
+      for (std::size_t row = 0; row < table.n_rows(); ++row)
+      {
+        const std::optional<double> value = table.number(row, found->index);
+        if (!value)
+          faults.add_no_number(row);
+        else if (!remedy_if_not_positive.empty() && *value <= 0.)
+          faults.add(row, "is not positive", std::string(remedy_if_not_positive));
+        else
+          values.push_back(*value * found->factor);
+      }
+      faults.note(problems);
+      return values.size() == table.n_rows() ? values : std::vector<double>();
+    }
+  } // namespace
+
+  bool has_names(const CsvTable &table, const std::vector<std::string> &columns, DataProblems &problems)
+  {
+    const std::vector<std::string> &names = table.column_names();
+    if (std::all_of(names.begin(), names.end(), is_number))
+    {
+      problems.error(
+          fmt::format("{}: the first row holds numbers; put a row of column names above it, without # in front: "
+                      "{}.",
+                      table.where_header(), fmt::join(columns, ",")));
+      return false;
+    }
+    const auto is_there = [&](const std::string &column) { return find_quantity(table, column).has_value(); };
+    if (std::any_of(columns.begin(), columns.end(), is_there))
+      return true;
+    for (const std::string &column : columns)
+      if (const auto row = find_row_of_names(table, column))
+      {
+        problems.error(
+            fmt::format("{}: this row names no column, but line {} does; delete the lines above that, or put # "
+                        "before them.",
+                        table.where_header(), table.line(*row)));
+        return false;
+      }
+    return true;
+  }
+
+  void CellFaults::add(const std::size_t row, const std::string &fault, const std::string &remedy)
+  {
+    const auto same = std::find_if(kinds_.begin(), kinds_.end(), [&](const Kind &k) { return k.remedy == remedy; });
+    Kind      &kind = same == kinds_.end() ? kinds_.emplace_back(Kind{fault, remedy, {}}) : *same;
+    kind.rows.push_back(row);
+  }
+
+  void CellFaults::add_no_number(const std::size_t row)
+  {
+    add(row, "is not a finite number", table_.remedy(row, column_));
+  }
+
+  void CellFaults::note(DataProblems &problems) const
+  {
+    for (const Kind &kind : kinds_)
+    {
+      std::vector<std::size_t> lines;
+      for (const std::size_t row : kind.rows)
+        lines.push_back(table_.line(row));
+      problems.error(fmt::format("{}: {} {}{}; {}.", table_.where(kind.rows.front()),
+                                 table_.quote(kind.rows.front(), column_), kind.fault, and_others(lines), kind.remedy));
+    }
+  }
+
+  std::optional<QuantityColumn> find_quantity(const CsvTable &table, const std::string &column)
+  {
+    if (const auto index = table.find_column(column))
+      return QuantityColumn{*index, 1.};
+    const std::vector<std::size_t> others = columns_in_other_units(table, column);
+    if (others.size() != 1)
+      return std::nullopt;
+    return QuantityColumn{others.front(), *factor_between_names(table.column_names()[others.front()], column)};
+  }
+
+  std::vector<double> scaled_cells(const CsvTable &table, const std::size_t column,
+                                   const std::vector<std::size_t> &rows, const double factor, DataProblems &problems)
+  {
+    CellFaults          faults(table, column);
+    std::vector<double> values;
+    for (const std::size_t row : rows)
+      if (const std::optional<double> value = table.number(row, column))
+        values.push_back(*value * factor);
+      else
+        faults.add_no_number(row);
+    faults.note(problems);
+    return values;
+  }
+
+  void warn_of_conversions(const CsvTable &table, const std::vector<std::string> &columns, DataProblems &problems)
+  {
+    std::vector<std::string> words;
+    for (const std::string &column : columns)
+      if (const auto found = find_quantity(table, column); found && found->factor != 1.)
+        words.push_back(
+            fmt::format("{} = {:.6g} times \"{}\"", column, found->factor, table.column_names()[found->index]));
+    if (!words.empty())
+      problems.warning(fmt::format("{}: units are converted: {}.", table.where_header(), fmt::join(words, ", ")));
+  }
+
+  std::vector<double> finite_cells(const CsvTable &table, const std::string &column, const std::string_view unit,
+                                   DataProblems &problems)
+  {
+    return checked_cells(table, column, unit, problems, "");
+  }
+
+  std::vector<double> positive_cells(const CsvTable &table, const std::string &column, const std::string_view remedy,
+                                     DataProblems &problems)
+  {
+    return checked_cells(table, column, remedy, problems, remedy);
+  }
+} // namespace swimtwin

@@ -1,0 +1,199 @@
+#include <datasets/system/error.h>
+#include <rom/swimmer/head_frame.h>
+#include <rom/swimmer/reduced_swimmer.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+// Letters as in docs/equations.md, section 14: q shape, b field in the head's frame, m moment, f generalised force,
+// xi generalised velocity, phi gradient of the area, p its multiplier.
+
+namespace swimtwin
+{
+  namespace
+  {
+    const ReducedModel &checked(const ReducedModel &model)
+    {
+      if (model.n_modes() > max_modes)
+        throw InputError(
+            fmt::format("the reduced model has {} modes; this program moves at most {}: use fewer of them.",
+                        model.n_modes(), max_modes));
+      return model;
+    }
+
+    double largest_distance(const Eigen::MatrixXd &nodes)
+    {
+      return nodes.rowwise().norm().maxCoeff();
+    }
+  } // namespace
+
+  ReducedSwimmer::ReducedSwimmer(const ReducedModel &model)
+      : r_(checked(model).n_modes()), length_m_(largest_distance(model.tail.nodes_m)), tip_(model.tail),
+        amplitudes_(model.tail), energy_(model.elasticity, model.tail),
+        resistance_(model.resistance, model.tail.parity.head(r_)), magnet_(model.magnet), area_(model.area)
+  {
+  }
+
+  double ReducedSwimmer::area_change(const ShapeVector &q) const
+  {
+    const AmplitudeVector p = amplitudes_.value(q);
+    return area_.linear_m.dot(p) + p.dot(area_.quadratic * p);
+  }
+
+  ShapeVector ReducedSwimmer::area_gradient(const ShapeVector &q) const
+  {
+    return amplitudes_.pull_back(q, area_gradient_by_amplitudes(q));
+  }
+
+  AmplitudeVector ReducedSwimmer::area_gradient_by_amplitudes(const ShapeVector &q) const
+  {
+    return area_.linear_m + 2. * area_.quadratic * amplitudes_.value(q);
+  }
+
+  ShapeMatrix ReducedSwimmer::area_hessian(const ShapeVector &q) const
+  {
+    const AmplitudeMatrix J = amplitudes_.slopes(q);
+    ShapeMatrix           H = amplitudes_.curvature(area_gradient_by_amplitudes(q));
+    H += 2. * J.transpose() * area_.quadratic * J;
+    return H;
+  }
+
+  VelocityVector ReducedSwimmer::area_direction(const ShapeVector &q) const
+  {
+    VelocityVector phi = VelocityVector::Zero(n_states());
+    phi.tail(r_)       = area_gradient(q);
+    return phi;
+  }
+
+  Eigen::Vector2d ReducedSwimmer::moment(const ShapeVector &q, const SwimmerParameters &parameters) const
+  {
+    return parameters.magnetization_A_m * magnet_.head_area_m2 * Eigen::Vector2d::UnitX() +
+           parameters.tail_magnetization_A_m * tail_area(q);
+  }
+
+  Eigen::Vector2d ReducedSwimmer::tail_area(const ShapeVector &q) const
+  {
+    return magnet_.tail_area_m2 + magnet_.tail_area_of_mode_m * amplitudes_.value(q);
+  }
+
+  Eigen::Matrix2Xd ReducedSwimmer::tail_area_slopes(const ShapeVector &q) const
+  {
+    return magnet_.tail_area_of_mode_m * amplitudes_.slopes(q);
+  }
+
+  Eigen::Matrix2Xd ReducedSwimmer::moment_slopes(const ShapeVector &q, const SwimmerParameters &parameters) const
+  {
+    return parameters.tail_magnetization_A_m * tail_area_slopes(q);
+  }
+
+  SwimmerMotion ReducedSwimmer::make_motion() const
+  {
+    SwimmerMotion motion;
+    motion.velocity   = VelocityVector::Zero(n_states());
+    motion.rate       = VelocityVector::Zero(n_states());
+    motion.resistance = resistance_.make_factor();
+    return motion;
+  }
+
+  VelocityVector ReducedSwimmer::magnetic_force(const ShapeVector &q, const Eigen::Vector2d &moment,
+                                                const Eigen::Vector2d &head_field,
+                                                const double           tail_magnetization) const
+  {
+    VelocityVector f = VelocityVector::Zero(n_states());
+    f[2]             = cross(moment, head_field);
+    if (tail_magnetization != 0.)
+      f.tail(r_) = tail_magnetization * (tail_area_slopes(q).transpose() * head_field);
+    return f;
+  }
+
+  VelocityVector ReducedSwimmer::force(const SwimmerState &state, const Eigen::Vector2d &field_T,
+                                       const SwimmerParameters &parameters) const
+  {
+    const ShapeVector q = state.tail(r_);
+    VelocityVector    f =
+        magnetic_force(q, moment(q, parameters), in_head_frame(state[2], field_T), parameters.tail_magnetization_A_m);
+    f.tail(r_) -= parameters.young_modulus_Pa * energy_.gradient(q);
+    return f;
+  }
+
+  void ReducedSwimmer::solve(const ResistanceFactor &resistance, Eigen::MatrixXd &columns) const
+  {
+    const auto L0 = resistance_.factor_at_rest().triangularView<Eigen::Lower>();
+    const auto C  = resistance.factor.triangularView<Eigen::Lower>();
+    L0.solveInPlace(columns);
+    C.solveInPlace(columns);
+    C.transpose().solveInPlace(columns);
+    L0.transpose().solveInPlace(columns);
+  }
+
+  void ReducedSwimmer::solve(const ResistanceFactor &resistance, VelocityVector &column) const
+  {
+    const auto L0 = resistance_.factor_at_rest().triangularView<Eigen::Lower>();
+    const auto C  = resistance.factor.triangularView<Eigen::Lower>();
+    L0.solveInPlace(column);
+    C.solveInPlace(column);
+    C.transpose().solveInPlace(column);
+    L0.transpose().solveInPlace(column);
+  }
+
+  void ReducedSwimmer::set_velocity(const SwimmerState &state, const VelocityVector &force, const double viscosity,
+                                    SwimmerMotion &motion, double &pressure) const
+  {
+    motion.velocity = force / viscosity;
+    solve(motion.resistance, motion.velocity);
+    pressure = 0.;
+    if (area_.is_kept)
+    {
+      const VelocityVector phi         = area_direction(state.tail(r_));
+      VelocityVector       by_pressure = phi;
+      solve(motion.resistance, by_pressure);
+      const double multiple = phi.dot(motion.velocity) / phi.dot(by_pressure);
+      motion.velocity -= multiple * by_pressure;
+      pressure = viscosity * multiple;
+    }
+    motion.rate = motion.velocity;
+    turn_to_laboratory(state[2], motion.rate);
+  }
+
+  void ReducedSwimmer::set_rate(const SwimmerState &state, const Eigen::Vector2d &field_T,
+                                const SwimmerParameters &parameters, SwimmerMotion &motion) const
+  {
+    double pressure = 0.;
+    resistance_.evaluate(state.tail(r_), state[2], motion.resistance);
+    set_velocity(state, force(state, field_T, parameters), parameters.viscosity_Pa_s, motion, pressure);
+  }
+
+  void ReducedSwimmer::move(const SwimmerState &state, const Eigen::Vector2d &field_T,
+                            const SwimmerParameters &parameters, SwimmerMotion &motion) const
+  {
+    set_rate(state, field_T, parameters, motion);
+    const ShapeVector    q = state.tail(r_);
+    const VelocityVector f =
+        magnetic_force(q, moment(q, parameters), in_head_frame(state[2], field_T), parameters.tail_magnetization_A_m);
+    const VelocityVector pulled =
+        motion.resistance.factor.transpose() * (resistance_.factor_at_rest().transpose() * motion.velocity);
+    motion.magnetic_power_W_m = f.dot(motion.velocity);
+    motion.dissipation_W_m    = parameters.viscosity_Pa_s * pulled.squaredNorm();
+    motion.elastic_power_W_m  = parameters.young_modulus_Pa * energy_.gradient(q).dot(motion.velocity.tail(r_));
+  }
+
+  Eigen::Vector3d ReducedSwimmer::head_velocity(const SwimmerState &state, const ShapeVector &shape_rate,
+                                                const double torque_N, const double viscosity_Pa_s,
+                                                ResistanceFactor &resistance) const
+  {
+    resistance_.evaluate(state.tail(r_), state[2], resistance);
+    const VelocityMatrix  L        = resistance_.factor_at_rest() * resistance.factor;
+    const Eigen::Matrix3d rigid    = L.topRows<3>() * L.topRows<3>().transpose();
+    const Eigen::Vector3d by_shape = L.topRows<3>() * (L.bottomRows(r_).transpose() * shape_rate);
+    const Eigen::Vector3d load     = Eigen::Vector3d(0., 0., torque_N / viscosity_Pa_s) - by_shape;
+    return rigid.llt().solve(load);
+  }
+
+  SwimmerState state_at_rest(const ReducedSwimmer &swimmer, const double angle_rad)
+  {
+    SwimmerState state = SwimmerState::Zero(swimmer.n_states());
+    state[2]           = angle_rad;
+    return state;
+  }
+} // namespace swimtwin

@@ -1,0 +1,199 @@
+#include <rom/swimmer/resistance_surrogate.h>
+
+#include <cmath>
+
+namespace swimtwin
+{
+  namespace
+  {
+    /// Of the polynomials' coordinates: the modes', and -1 for the angle.
+    Eigen::VectorXi coordinate_parity(const ReducedResistance &resistance, const Eigen::VectorXi &mode_parity)
+    {
+      Eigen::VectorXi parity(mode_parity.size() + (resistance.depends_on_angle ? 1 : 0));
+      parity.head(mode_parity.size()) = mode_parity;
+      if (resistance.depends_on_angle)
+        parity[mode_parity.size()] = -1;
+      return parity;
+    }
+
+    /// Of the velocities (U_x, U_y, omega, dq/dt) under the mirror y -> -y.
+    Eigen::VectorXi velocity_parity(const Eigen::VectorXi &mode_parity)
+    {
+      Eigen::VectorXi parity(mode_parity.size() + 3);
+      parity << 1, -1, -1, mode_parity;
+      return parity;
+    }
+
+    int entry_column(const int i, const int j)
+    {
+      return i * (i + 1) / 2 + j;
+    }
+
+    /// Columns: monomials as the table orders them. Rows: entries of C.
+    Eigen::MatrixXd coefficients_by_position(const ReducedResistance &resistance, const MonomialTable &monomials)
+    {
+      Eigen::MatrixXd by_position = Eigen::MatrixXd::Zero(resistance.coefficients.cols(), monomials.size());
+      for (int f = 0; f < resistance.coefficients.rows(); ++f)
+        by_position.col(monomials.position_of_row(f)) += resistance.coefficients.row(f).transpose();
+      return by_position;
+    }
+
+    using Entries = std::vector<std::pair<int, int>>;
+
+    Entries entries_of_parity(const Eigen::VectorXi &velocity_parity, const int parity)
+    {
+      Entries entries;
+      for (int i = 0; i < velocity_parity.size(); ++i)
+        for (int j = 0; j <= i; ++j)
+          if (velocity_parity[i] * velocity_parity[j] == parity)
+            entries.emplace_back(i, j);
+      return entries;
+    }
+
+    bool are_zero(const Eigen::MatrixXd &by_position, const Entries &entries, const int first, const int n)
+    {
+      for (const auto &[i, j] : entries)
+        if (!by_position.row(entry_column(i, j)).segment(first, n).isZero(0.))
+          return false;
+      return true;
+    }
+  } // namespace
+
+  ResistanceSurrogate::ResistanceSurrogate(const ReducedResistance &resistance, const Eigen::VectorXi &parity)
+      : factor_at_rest_(resistance.factor_at_rest), coordinate_scale_m_(resistance.coordinate_scale_m),
+        depends_on_angle_(resistance.depends_on_angle), angle_scale_rad_(resistance.angle_scale_rad),
+        monomials_(resistance.exponents, coordinate_parity(resistance, parity))
+  {
+    const Eigen::MatrixXd by_position = coefficients_by_position(resistance, monomials_);
+    const Eigen::VectorXi mirror      = velocity_parity(parity);
+    Entries               even = entries_of_parity(mirror, 1), odd = entries_of_parity(mirror, -1);
+    const int             n_even = monomials_.n_even(), n_odd = monomials_.size() - n_even;
+    if (are_zero(by_position, even, n_even, n_odd) && are_zero(by_position, odd, 0, n_even))
+    {
+      add_block(by_position, even, 0, n_even);
+      add_block(by_position, odd, n_even, n_odd);
+      return;
+    }
+    even.insert(even.end(), odd.begin(), odd.end());
+    add_block(by_position, even, 0, monomials_.size());
+  }
+
+  void ResistanceSurrogate::add_block(const Eigen::MatrixXd &by_position, const Entries &entries, const int first,
+                                      const int n)
+  {
+    Block block{entries, first, n_rows_, Eigen::MatrixXd(static_cast<Eigen::Index>(entries.size()), n)};
+    for (Eigen::Index row = 0; row < block.coefficients.rows(); ++row)
+    {
+      const auto &[i, j]          = entries[static_cast<std::size_t>(row)];
+      block.coefficients.row(row) = by_position.row(entry_column(i, j)).segment(first, n);
+    }
+    n_rows_ += static_cast<int>(entries.size());
+    blocks_.push_back(std::move(block));
+  }
+
+  ResistanceFactor ResistanceSurrogate::make_factor() const
+  {
+    const int        n = n_velocities(), m = n_coordinates();
+    ResistanceFactor result;
+    result.factor             = VelocityMatrix::Zero(n, n);
+    result.factor_derivatives = std::vector<VelocityMatrix>(static_cast<std::size_t>(m), VelocityMatrix::Zero(n, n));
+    result.coordinate_slopes  = Eigen::MatrixXd::Zero(m, m);
+    result.coordinates        = Eigen::VectorXd::Zero(m);
+    result.monomials          = Eigen::MatrixXd::Zero(monomials_.size(), 1 + m);
+    result.polynomials        = Eigen::MatrixXd::Zero(n_rows_, 1 + m);
+    return result;
+  }
+
+  void ResistanceSurrogate::evaluate(const ShapeVector &q, const double angle_rad, ResistanceFactor &result) const
+  {
+    set_coordinates(q, angle_rad, result);
+    monomials_.evaluate(result.coordinates, result.monomials);
+    evaluate_polynomials(1, result);
+    set_factor(result);
+  }
+
+  void ResistanceSurrogate::differentiate(const ShapeVector &q, const double angle_rad, ResistanceFactor &result) const
+  {
+    set_coordinates(q, angle_rad, result);
+    set_coordinate_slopes(q, angle_rad, result);
+    monomials_.evaluate_with_gradient(result.coordinates, result.monomials);
+    evaluate_polynomials(1 + n_coordinates(), result);
+    set_factor(result);
+    set_factor_derivatives(result);
+  }
+
+  double ResistanceSurrogate::shape_radius(const ShapeVector &q) const
+  {
+    return q.cwiseQuotient(coordinate_scale_m_).norm();
+  }
+
+  double ResistanceSurrogate::angle_radius(const double angle_rad) const
+  {
+    return depends_on_angle_ ? std::abs(angle_rad) / angle_scale_rad_ : 0.;
+  }
+
+  void ResistanceSurrogate::set_coordinates(const ShapeVector &q, const double angle_rad,
+                                            ResistanceFactor &result) const
+  {
+    const double radius = shape_radius(q), shrink = radius > 1. ? saturated(radius) / radius : 1.;
+    result.coordinates.head(q.size()) = shrink * q.cwiseQuotient(coordinate_scale_m_);
+    if (depends_on_angle_)
+      result.coordinates[q.size()] = std::copysign(saturated(angle_radius(angle_rad)), angle_rad);
+  }
+
+  void ResistanceSurrogate::set_coordinate_slopes(const ShapeVector &q, const double angle_rad,
+                                                  ResistanceFactor &result) const
+  {
+    const Eigen::Index r      = q.size();
+    const ShapeVector  z      = q.cwiseQuotient(coordinate_scale_m_);
+    const double       radius = z.norm(), shrink = radius > 1. ? saturated(radius) / radius : 1.;
+    auto               slopes = result.coordinate_slopes.topLeftCorner(r, r);
+    slopes                    = shrink * ShapeMatrix::Identity(r, r);
+    if (radius > 1.)
+      slopes += (saturated_slope(radius) - shrink) / (radius * radius) * z * z.transpose();
+    slopes = (slopes * coordinate_scale_m_.cwiseInverse().asDiagonal()).eval();
+    if (depends_on_angle_)
+      result.coordinate_slopes(r, r) = saturated_slope(angle_radius(angle_rad)) / angle_scale_rad_;
+  }
+
+  void ResistanceSurrogate::evaluate_polynomials(const int n_columns, ResistanceFactor &result) const
+  {
+    for (const Block &block : blocks_)
+    {
+      const auto n_entries = static_cast<Eigen::Index>(block.entries.size()), n = block.coefficients.cols();
+      result.polynomials.block(block.first_row, 0, n_entries, n_columns).noalias() =
+          block.coefficients * result.monomials.block(block.first_monomial, 0, n, n_columns);
+    }
+  }
+
+  void ResistanceSurrogate::set_factor(ResistanceFactor &result) const
+  {
+    for (const Block &block : blocks_)
+      for (std::size_t e = 0; e < block.entries.size(); ++e)
+      {
+        const auto &[i, j]  = block.entries[e];
+        const double value  = result.polynomials(block.first_row + static_cast<Eigen::Index>(e), 0);
+        result.factor(i, j) = i == j ? std::exp(value) : value;
+      }
+  }
+
+  void ResistanceSurrogate::set_factor_derivatives(ResistanceFactor &result) const
+  {
+    for (int k = 0; k < n_coordinates(); ++k)
+      for (const Block &block : blocks_)
+        for (std::size_t e = 0; e < block.entries.size(); ++e)
+        {
+          const auto &[i, j] = block.entries[e];
+          const double slope = result.polynomials(block.first_row + static_cast<Eigen::Index>(e), 1 + k);
+          result.factor_derivatives[static_cast<std::size_t>(k)](i, j) = i == j ? result.factor(i, i) * slope : slope;
+        }
+  }
+
+  VelocityMatrix ResistanceSurrogate::resistance(const ShapeVector &q, const double angle_rad) const
+  {
+    ResistanceFactor at = make_factor();
+    evaluate(q, angle_rad, at);
+    const VelocityMatrix L = factor_at_rest_ * at.factor;
+    return L * L.transpose();
+  }
+} // namespace swimtwin

@@ -1,0 +1,74 @@
+// The resistance of the swimmer against its shape, and its derivatives.
+#pragma once
+
+#include <datasets/reduced/reduced_model.h>
+#include <rom/swimmer/monomial_table.h>
+#include <rom/swimmer/state_vectors.h>
+
+#include <vector>
+
+namespace swimtwin
+{
+  /// C of R = L_0 C C^T L_0^T (unit viscosity) at one shape and angle, and what evaluating it needs. Make it with
+  /// ResistanceSurrogate::make_factor; it belongs to one thread.
+  struct ResistanceFactor
+  {
+    VelocityMatrix              factor;             ///< C, lower triangular
+    std::vector<VelocityMatrix> factor_derivatives; ///< by the saturated coordinates
+    Eigen::MatrixXd             coordinate_slopes;  ///< of the saturated coordinates by (q_1 .. q_r [, angle])
+
+    Eigen::VectorXd coordinates;            ///< saturated
+    Eigen::MatrixXd monomials, polynomials; ///< values, then derivatives, as columns
+  };
+
+  class ResistanceSurrogate
+  {
+  public:
+    /// `parity` of the modes. Where the coefficients keep the mirror symmetry, only half of them are ever touched.
+    ResistanceSurrogate(const ReducedResistance &resistance, const Eigen::VectorXi &parity);
+
+    int n_velocities() const { return static_cast<int>(factor_at_rest_.rows()); }
+    /// r, and one more if it depends on the angle.
+    int  n_coordinates() const { return monomials_.n_coordinates(); }
+    bool depends_on_angle() const { return depends_on_angle_; }
+
+    ResistanceFactor make_factor() const;
+    /// Only `factor`.
+    void evaluate(const ShapeVector &q, double angle_rad, ResistanceFactor &result) const;
+    /// Derivatives too.
+    void differentiate(const ShapeVector &q, double angle_rad, ResistanceFactor &result) const;
+
+    const VelocityMatrix &factor_at_rest() const { return factor_at_rest_; }
+    /// R itself (Pa s per Pa s of viscosity, ...), n x n.
+    VelocityMatrix resistance(const ShapeVector &q, double angle_rad) const;
+
+    /// |z_q|, at most 1 where the model was trained, and |angle| / angle_scale (0 if R does not depend on it).
+    double shape_radius(const ShapeVector &q) const;
+    double angle_radius(double angle_rad) const;
+
+  private:
+    /// Polynomials of some entries of C: coefficients (entries x monomials) for monomials first .. first + n - 1.
+    struct Block
+    {
+      std::vector<std::pair<int, int>> entries;
+      int                              first_monomial = 0, first_row = 0;
+      Eigen::MatrixXd                  coefficients;
+    };
+
+    void add_block(const Eigen::MatrixXd &by_position, const std::vector<std::pair<int, int>> &entries, int first,
+                   int n);
+    void set_coordinates(const ShapeVector &q, double angle_rad, ResistanceFactor &result) const;
+    void set_coordinate_slopes(const ShapeVector &q, double angle_rad, ResistanceFactor &result) const;
+    void evaluate_polynomials(int n_columns, ResistanceFactor &result) const;
+    void set_factor(ResistanceFactor &result) const;
+    void set_factor_derivatives(ResistanceFactor &result) const;
+
+    VelocityMatrix     factor_at_rest_;
+    ShapeVector        coordinate_scale_m_;
+    bool               depends_on_angle_ = false;
+    double             angle_scale_rad_  = 1.;
+    MonomialTable      monomials_;
+    std::vector<Block> blocks_;
+    int                n_rows_ = 0;
+  };
+} // namespace swimtwin

@@ -1,0 +1,16 @@
+#include <datasets/system/error.h>
+#include <rom/swimmer/swimmer_parameters.h>
+
+#include <fmt/format.h>
+
+namespace swimtwin
+{
+  SwimmerParameters swimmer_parameters(const Scene &scene)
+  {
+    if (!scene.fluid || !scene.tail)
+      throw InputError(fmt::format("the scene {} has no {}: there is no swimmer to reduce.", scene.name,
+                                   scene.fluid ? "tail" : "fluid"));
+    return {scene.tail->young_modulus_Pa, scene.fluid->viscosity_Pa_s, scene.head.magnetization_A_m,
+            scene.tail->magnetization_A_m};
+  }
+} // namespace swimtwin

@@ -1,0 +1,40 @@
+// What may differ between runs of one reduced swimmer, and names for what to differentiate by.
+#pragma once
+
+#include <datasets/scene/scene.h>
+#include <rom/swimmer/driving_field.h>
+
+#include <string>
+
+namespace swimtwin
+{
+  /// Magnet, material and fluid; all positive but the magnetizations.
+  struct SwimmerParameters
+  {
+    double young_modulus_Pa = 0., viscosity_Pa_s = 0.;
+    double magnetization_A_m = 0., tail_magnetization_A_m = 0.; ///< of the head and of the tail
+  };
+
+  enum class Quantity {
+    young_modulus,
+    viscosity,
+    magnetization,
+    tail_magnetization,
+    frequency, ///< at fixed phase: the field of the same shape, played faster
+    field,     ///< a parameter of the driving field
+    initial_angle,
+    initial_shape ///< a mode's coordinate at the start
+  };
+
+  /// One number that a run depends on. `index` counts the field's parameters or the modes.
+  struct Parameter
+  {
+    Quantity quantity = Quantity::young_modulus;
+    int      index    = 0;
+
+    bool operator==(const Parameter &) const = default;
+  };
+
+  /// Those of a scene with a fluid and a tail. Throws InputError for one without.
+  SwimmerParameters swimmer_parameters(const Scene &scene);
+} // namespace swimtwin
