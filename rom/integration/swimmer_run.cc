@@ -1,5 +1,7 @@
 #include <rom/integration/swimmer_run.h>
 
+#include <rom/swimmer/head_frame.h>
+
 #include <cmath>
 
 namespace swimtwin
@@ -9,14 +11,6 @@ namespace swimtwin
     const double reference = magnetic != 0. ? std::abs(magnetic) : std::abs(dissipated);
     return reference > 0. ? (magnetic - dissipated - elastic_change) / reference : 0.;
   }
-
-  namespace
-  {
-    Eigen::Vector2d head_first(const double heading_rad)
-    {
-      return {-std::cos(heading_rad), -std::sin(heading_rad)};
-    }
-  } // namespace
 
   std::vector<double> displacement_per_period(const SwimmerRun &run, const double heading_rad)
   {

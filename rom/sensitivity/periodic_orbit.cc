@@ -2,6 +2,7 @@
 
 #include <rom/swimmer/area_constraint.h>
 #include <rom/swimmer/dense_algebra.h>
+#include <rom/swimmer/head_frame.h>
 
 #include <fmt/format.h>
 
@@ -21,11 +22,6 @@ namespace swimtwin
       for (int k = 0; k < n_modes; ++k)
         parameters.push_back({Quantity::initial_shape, k});
       return parameters;
-    }
-
-    Eigen::Vector2d head_first(const double heading_rad)
-    {
-      return {-std::cos(heading_rad), -std::sin(heading_rad)};
     }
 
     double distance_from_one(const std::vector<std::complex<double>> &multipliers)

@@ -13,6 +13,12 @@ namespace swimtwin
     return {c * v.x() + s * v.y(), -s * v.x() + c * v.y()};
   }
 
+  /// Unit vector along which a swimmer of this heading has positive displacements: head first.
+  inline Eigen::Vector2d head_first(const double heading_rad)
+  {
+    return {-std::cos(heading_rad), -std::sin(heading_rad)};
+  }
+
   inline double cross(const Eigen::Vector2d &a, const Eigen::Vector2d &b)
   {
     return a.x() * b.y() - a.y() * b.x();
