@@ -19,6 +19,16 @@ namespace swimtwin
     visit("numerical_J_m", v.numerical_J_m);
   }
 
+  template <Like<InertiaRecord> Type, typename Visitor>
+  void for_each_entry(Type &v, const Visitor &visit)
+  {
+    visit("kept", v.kept);
+    visit("fluid_share", v.fluid_share);
+    visit("tail_share", v.tail_share);
+    visit("head_share", v.head_share);
+    visit("neglected_share", v.neglected_share);
+  }
+
   template <Like<RunSummary> Type, typename Visitor>
   void for_each_entry(Type &v, const Visitor &visit)
   {
@@ -37,6 +47,7 @@ namespace swimtwin
     visit("power_imbalance", v.power_imbalance);
     visit("worst_power_imbalance", v.worst_power_imbalance);
     visit("work_of_last_period", v.work_of_last_period);
+    visit("inertia", v.inertia);
     visit("wall_time_s", v.wall_time_s);
     visit("cpu_time_s", v.cpu_time_s);
     visit("peak_memory_MB", v.peak_memory_MB);
@@ -90,7 +101,12 @@ namespace swimtwin
           throw InputError(fmt::format("{}: the entry {} is missing or has the wrong type.", file_, key));
         }
       }
-      /// Runs of earlier versions lack it.
+      /// Runs of earlier versions lack it, like the next.
+      void operator()(const char *key, std::optional<InertiaRecord> &value) const
+      {
+        if (json_.contains(key))
+          operator()<std::optional<InertiaRecord>>(key, value);
+      }
       void operator()(const char *key, std::optional<WorkBalance> &value) const
       {
         if (!json_.contains(key))

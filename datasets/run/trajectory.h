@@ -17,7 +17,7 @@ namespace swimtwin
     double tail_tip_x_m = 0., tail_tip_y_m = 0., tail_angle_rad = 0.;
     double bx_T = 0., by_T = 0.;
     double magnetic_power_W_m  = 0.; ///< power of the magnetic field on head and tail
-    double external_power_W_m  = 0.; ///< power of gravity, of moving walls and of inflows
+    double external_power_W_m  = 0.; ///< power of gravity, moving walls, inflows and prescribed motions
     double dissipation_W_m     = 0.; ///< viscous
     double elastic_energy_J_m  = 0.; ///< of the tail
     double kinetic_energy_J_m  = 0.; ///< of fluid and body, as far as the run has inertia
@@ -25,7 +25,7 @@ namespace swimtwin
     double kinetic_growth_W_m =
         0.; ///< power on inertia in the time step; what of it is not stored is numerical dissipation
     double head_force_x_N_m = 0., head_force_y_N_m = 0.,
-           head_torque_N     = 0.; ///< that hold a fixed head in place; else 0
+           head_torque_N     = 0.; ///< that hold a fixed head in place, or drive a prescribed one; else 0
     double fluid_force_x_N_m = 0., fluid_force_y_N_m = 0.,
            fluid_torque_N    = 0.; ///< of the fluid on the body, about the head's centre
     int  coupling_iterations = 0;
@@ -54,6 +54,15 @@ namespace swimtwin
     std::optional<double> imbalance() const; ///< missing / scale; none without a scale
   };
 
+  /// What a run kept of inertia, and what each term was estimated to be worth: shares of the displacement per period
+  /// (datasets/scene/inertia_terms.h).
+  struct InertiaRecord
+  {
+    std::vector<std::string> kept; ///< terms by their names in [fluid] inertia
+    double                   fluid_share = 0., tail_share = 0., head_share = 0.;
+    double                   neglected_share = 0.; ///< of terms that nobody said to leave out
+  };
+
   /// What summary.json holds beside provenance. An optional that is empty was not computed.
   struct RunSummary
   {
@@ -68,6 +77,7 @@ namespace swimtwin
                                            ///< a period, and without work and dissipation
     std::optional<double>                       worst_power_imbalance; ///< worst single period
     std::optional<WorkBalance>                  work_of_last_period;
+    std::optional<InertiaRecord>                inertia; ///< none without a fluid
     double                                      wall_time_s = 0., cpu_time_s = 0., peak_memory_MB = 0.;
     std::vector<std::pair<std::string, double>> cpu_time_of_part_s; ///< assembly, factorisation, ...
     std::vector<std::string>                    warnings; ///< why the result may not be trusted, one sentence each

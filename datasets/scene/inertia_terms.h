@@ -10,6 +10,9 @@ namespace swimtwin
   /// vacuum it is [tail] inertia that asks.
   InertiaTerms inertia_terms(const Scene &scene);
 
+  /// Their names in a scene file.
+  std::vector<std::string> names_of(const InertiaTerms &terms);
+
   constexpr double negligible_share = 2e-3;
 
   /// Estimated share of the displacement per period that leaving out a term loses, 0 to 1; rather too large than too

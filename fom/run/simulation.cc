@@ -3,6 +3,8 @@
 #include <datasets/system/clocks.h>
 #include <datasets/system/error.h>
 #include <datasets/files/folder_lock.h>
+#include <datasets/scene/dimensionless_groups.h>
+#include <datasets/scene/inertia_terms.h>
 #include <datasets/scene/mirror_plane.h>
 #include <datasets/files/output_folder.h>
 #include <datasets/system/provenance.h>
@@ -171,7 +173,16 @@ namespace swimtwin
                                       {"mesh_motion", coupling.mesh_motion_cpu_s},
                                       {"remeshing", counts.remeshing_cpu_s}};
         summary.warnings           = warnings(balances);
+        summary.inertia            = inertia_record();
         return summary;
+      }
+
+      std::optional<InertiaRecord> inertia_record() const
+      {
+        if (!scene_.fluid)
+          return std::nullopt;
+        const auto [fluid, tail, head] = inertia_shares(scene_);
+        return InertiaRecord{names_of(inertia_terms(scene_)), fluid, tail, head, neglected_share(scene_)};
       }
 
       /// What a user has to know before trusting the numbers.

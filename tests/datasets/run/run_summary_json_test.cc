@@ -24,6 +24,7 @@ namespace swimtwin
       summary.n_step_halvings           = 6;
       summary.power_imbalance           = -1e-3;
       summary.worst_power_imbalance     = 2e-3;
+      summary.inertia                   = InertiaRecord{{"head"}, .001, .002, .03, .003};
       summary.wall_time_s               = 7.;
       summary.cpu_time_s                = 8.;
       summary.peak_memory_MB            = 9.;
@@ -41,7 +42,7 @@ namespace swimtwin
     for (const char *key : {"status", "displacement_per_period_m", "net_displacement_m", "n_unknowns", "n_steps",
                             "n_linear_solves", "n_factorizations", "coupling_iterations_mean", "n_remeshes",
                             "power_imbalance", "wall_time_s", "peak_memory_MB", "n_step_halvings",
-                            "worst_power_imbalance", "cpu_time_s", "cpu_time_of_part_s", "provenance"})
+                            "worst_power_imbalance", "inertia", "cpu_time_s", "cpu_time_of_part_s", "provenance"})
       expect_in(text, "\n  \"" + std::string(key) + "\": ");
     expect_in(text, "\"status\": \"completed\"");
   }
@@ -57,6 +58,9 @@ namespace swimtwin
     EXPECT_EQ(read.summary.displacement_per_period_m, written.summary.displacement_per_period_m);
     EXPECT_EQ(read.summary.cpu_time_of_part_s, written.summary.cpu_time_of_part_s);
     EXPECT_EQ(read.summary.n_factorizations, 4);
+    ASSERT_TRUE(read.summary.inertia.has_value());
+    EXPECT_EQ(read.summary.inertia->kept, std::vector<std::string>{"head"});
+    EXPECT_EQ(read.summary.inertia->head_share, .03);
     EXPECT_EQ(read.provenance.scene_text, "dimension = 2\n");
   }
 
