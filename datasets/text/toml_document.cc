@@ -126,6 +126,41 @@ namespace swimtwin
     overrides_[path] = "--set " + override_text;
   }
 
+  void TomlDocument::merge(const toml::table &entries, toml::table &target, const std::string &path)
+  {
+    for (const auto &[key, value] : entries)
+    {
+      const std::string name(key.str()), entry = join_path(path, name);
+      toml::node       *existing = target.get(name);
+      if (value.is_table() && existing != nullptr && existing->is_table())
+        merge(*value.as_table(), *existing->as_table(), entry);
+      else if (!overrides_.contains(entry))
+        value.visit([&](const auto &content) { target.insert_or_assign(name, content); });
+    }
+  }
+
+  void TomlDocument::apply_variant()
+  {
+    const toml::node *variants = find("variants"), *chosen = find("variant");
+    if (chosen != nullptr)
+    {
+      const toml::table       *tables = variants == nullptr ? nullptr : variants->as_table();
+      const std::string        name   = chosen->value_or<std::string>("");
+      std::vector<std::string> names;
+      if (tables != nullptr)
+        for (const auto &[key, value] : *tables)
+          names.push_back(fmt::format("\"{}\"", key.str()));
+      const toml::node *entries = tables == nullptr ? nullptr : tables->get(name);
+      if (entries == nullptr || !entries->is_table())
+        refuse("", "variant",
+               names.empty() ? std::string("is not known: there is no table [variants]; remove it.")
+                             : fmt::format("is not one of {}.", fmt::join(names, ", ")));
+      merge(*entries->as_table(), root_, "");
+    }
+    root_.erase("variants");
+    root_.erase("variant");
+  }
+
   const toml::node *TomlDocument::find(const std::string &path) const
   {
     const toml::node *node = &root_;

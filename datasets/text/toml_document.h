@@ -17,6 +17,11 @@ namespace swimtwin
     /// InputError for text that is not TOML (with line and column) and for an override without a key or a place.
     TomlDocument(std::string_view text, std::string name, const std::vector<std::string> &overrides);
 
+    /// A document may hold further sizes of itself: tables [variants.NAME] of entries that replace its own. The entry
+    /// variant = "NAME" chooses one; overrides go before it. Both are gone afterwards. Throws InputError for an unknown
+    /// name.
+    void apply_variant();
+
     /// The entry at a dotted path, or nullptr; a number steps into an array. The empty path is the whole document.
     const toml::node *find(const std::string &path) const;
     /// Add or replace an entry of an existing table.
@@ -36,6 +41,7 @@ namespace swimtwin
 
   private:
     void apply_override(const std::string &override_text);
+    void merge(const toml::table &entries, toml::table &target, const std::string &path);
 
     std::string                        name_;
     toml::table                        root_;

@@ -39,7 +39,7 @@ namespace swimtwin
     EXPECT_EQ(scene.domain->walls.at("left").condition, WallCondition::traction_free);
     EXPECT_EQ(scene.domain->walls.at("top").condition, WallCondition::no_slip);
     EXPECT_EQ(scene.head.magnetization_A_m, 1e5);
-    EXPECT_FALSE(scene.head.fixed);
+    EXPECT_TRUE(scene.head.is_free());
     EXPECT_FALSE(scene.head.young_modulus_Pa.has_value());
     EXPECT_EQ(scene.tail->length_m, 7.5e-3);
     EXPECT_EQ(scene.tail->tip, TipShape::rounded);
@@ -257,5 +257,33 @@ namespace swimtwin
   {
     expect_in(message_after(sinusoid, "program = \"nowhere.csv\"\nperiod_s = 2\n"),
               "cannot read the field program nowhere.csv");
+  }
+
+  TEST(SceneReader, VariantsReplaceEntriesAndOverridesGoBeforeThem)
+  {
+    const std::string text     = swimmer_toml + "\n[variants.small]\ntime.periods = 1\nhead.density_kg_m3 = 5000.0\n"
+                                                "[variants.large]\ntime.periods = 9\n";
+    const Scene       as_it_is = parse_scene(text, "scene.toml");
+    EXPECT_EQ(as_it_is.text, parse_scene(swimmer_toml, "scene.toml").text) << "unused variants leave no trace";
+    const Scene small = parse_scene(text, "scene.toml", {"variant=small"});
+    EXPECT_EQ(small.time.periods, 1.);
+    EXPECT_EQ(small.head.density_kg_m3, 5000.);
+    EXPECT_EQ(small.tail->length_m, as_it_is.tail->length_m);
+    EXPECT_EQ(parse_scene(small.text, "scene.toml").hash, small.hash) << "what was solved is a scene of its own";
+    EXPECT_EQ(parse_scene(text, "scene.toml", {"time.periods=2", "variant=small"}).time.periods, 2.);
+  }
+
+  TEST(SceneReader, UnknownVariantNamesTheKnownOnes)
+  {
+    const std::string text =
+        swimmer_toml + "\n[variants.small]\ntime.periods = 1\n[variants.large]\ntime.periods = 9\n";
+    expect_in(message_of<InputError>([&] { parse_scene(text, "scene.toml", {"variant=tiny"}); }),
+              "--set variant=tiny: variant = \"tiny\" is not one of \"large\", \"small\".");
+    expect_in(message_of<InputError>([&] { parse_scene(swimmer_toml, "scene.toml", {"variant=tiny"}); }),
+              "is not known: there is no table [variants]; remove it.");
+    expect_in(message_of<InputError>([&] {
+                parse_scene(swimmer_toml + "\n[variants.odd]\ntime.periods = -1\n", "scene.toml", {"variant=odd"});
+              }),
+              "must be positive");
   }
 } // namespace swimtwin
