@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -20,6 +21,26 @@ namespace swimtwin
     if (!scene.fluid || scene.time.period_s <= 0.)
       return 0.;
     return unsteady_group(scene, 1. / scene.time.period_s, scene.fluid->viscosity_Pa_s);
+  }
+
+  double largest_imposed_speed_m_s(const Scene &scene)
+  {
+    constexpr double two_pi  = 2. * std::numbers::pi;
+    double           largest = 0.;
+    if (scene.domain)
+      for (const auto &[name, wall] : scene.domain->walls)
+      {
+        const bool is_parabolic = wall.condition == WallCondition::inflow && wall.profile == InflowProfile::parabolic;
+        largest                 = std::max(largest, std::abs(wall.speed_m_s) * (is_parabolic ? 1.5 : 1.));
+      }
+    if (const HeadOscillation &given = scene.head.oscillation; scene.head.is_driven())
+      largest = std::max(largest, two_pi * given.frequency_Hz *
+                                      (std::hypot(given.amplitude_m[0], given.amplitude_m[1]) +
+                                       std::abs(given.angle_rad) * scene.body_length_m()));
+    if (scene.tail && scene.tail->is_driven()) // of the tip, were it to turn as a whole
+      largest = std::max(largest, two_pi * scene.tail->wave.frequency_Hz * std::abs(scene.tail->wave.angle_rad) *
+                                      scene.tail->length_m / 2.);
+    return largest;
   }
 
   std::string inertia_warning(const Scene &scene)

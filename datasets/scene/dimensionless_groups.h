@@ -11,6 +11,8 @@ namespace swimtwin
   double unsteady_group(const Scene &scene);
   /// The same at another frequency and viscosity.
   double unsteady_group(const Scene &scene, double frequency_Hz, double viscosity_Pa_s);
+  /// Largest speed (m/s) that walls, inflows and given motions ever impose.
+  double largest_imposed_speed_m_s(const Scene &scene);
   /// A sentence if inertia is neglected without the scene having said so, and is not small; else empty.
   std::string inertia_warning(const Scene &scene);
   /// Magnetic torque against the viscous torque of a turn per period: M A B / (mu f L^2), and the elastic group

@@ -1,6 +1,7 @@
 #include <datasets/scene/inertia_terms.h>
 
 #include <datasets/scene/dimensionless_groups.h>
+#include <datasets/scene/scene_names.h>
 
 #include <algorithm>
 #include <cmath>
@@ -57,8 +58,17 @@ namespace swimtwin
   {
     InertiaTerms terms = asked_for(scene);
     terms.tail         = terms.tail && scene.tail && !scene.time.is_steady;
-    terms.head         = terms.head && !scene.head.fixed && !scene.time.is_steady;
+    terms.head         = terms.head && scene.head.motion != HeadMotion::fixed && !scene.time.is_steady;
     return terms;
+  }
+
+  std::vector<std::string> names_of(const InertiaTerms &terms)
+  {
+    std::vector<std::string> names;
+    for (const auto &[name, term] : inertia_term_names)
+      if (terms.*term)
+        names.emplace_back(name);
+    return names;
   }
 
   double InertiaShares::together() const
@@ -84,13 +94,13 @@ namespace swimtwin
     const double     head     = scene.head.density_kg_m3 * scene.head.area_m2() / mass / head_mass_there;
     const double     tail =
         scene.tail ? scene.tail->density_kg_m3 * tail_area_m2(*scene.tail) / mass / tail_mass_there : 0.;
-    if (!scene.tail || scene.tail->is_rigid())
-      return {1., tail > 0. ? 1. : 0., scene.head.fixed ? 0. : 1.}; // nothing else gets a rigid body anywhere
+    if (!scene.tail || !scene.tail->is_elastic())
+      return {1., tail > 0. ? 1. : 0., scene.head.is_free() ? 1. : 0.}; // nothing else gets a rigid body anywhere
     const double stiff = stiff_factor * unsteady * (1. + unsteady) *
                          elastic_group(scene, frequency_Hz, viscosity_Pa_s, young_modulus_Pa);
     const double soft = soft_factor * unsteady;
     return {share_of_odds(.4 * stiff + .6 * soft), share_of_odds((.2 * stiff + .2 * soft) * tail),
-            scene.head.fixed ? 0. : share_of_odds((.6 * stiff + .35 * soft) * head)};
+            scene.head.is_free() ? share_of_odds((.6 * stiff + .35 * soft) * head) : 0.};
   }
 
   InertiaShares inertia_shares(const Scene &scene)
@@ -99,12 +109,10 @@ namespace swimtwin
       return {};
     InertiaShares shares = inertia_shares(scene, 1. / scene.time.period_s, scene.fluid->viscosity_Pa_s,
                                           scene.tail ? scene.tail->young_modulus_Pa : 0.);
-    // A stream past the body: its forces change by some hundredths of its Reynolds number.
+    // A stream past the body, or a motion that is given: its forces change by some hundredths of its Reynolds number.
     constexpr double by_reynolds_number = 0.05;
-    double           speed              = 0.;
-    for (const auto &[name, wall] : scene.domain->walls)
-      speed = std::max(speed, std::abs(wall.speed_m_s));
-    const double reynolds_number =
+    const double     speed              = largest_imposed_speed_m_s(scene);
+    const double     reynolds_number =
         scene.fluid->density_kg_m3 * speed * scene.body_length_m() / scene.fluid->viscosity_Pa_s;
     shares.fluid = std::max(shares.fluid, share_of_odds(by_reynolds_number * reynolds_number));
     return shares;

@@ -51,8 +51,17 @@ namespace swimtwin
       return {};
     }
 
+    bool is_driven_across(const Scene &scene)
+    {
+      const HeadOscillation &given = scene.head.oscillation;
+      return (scene.head.is_driven() && (given.amplitude_m[1] != 0. || given.angle_rad != 0.)) ||
+             (scene.tail && scene.tail->is_driven());
+    }
+
     std::string why_missing(const Scene &scene)
     {
+      if (is_driven_across(scene))
+        return "the prescribed motion goes across the axis";
       if (scene.head.angle_rad != 0.)
         return "the swimmer starts at an angle";
       if (scene.domain && scene.domain->center_m[1] != scene.head.center_m[1])
@@ -88,14 +97,14 @@ namespace swimtwin
     std::string why_doubtful(const Scene &scene)
     {
       const auto &tail = scene.tail;
-      if (!scene.head.fixed && points_against_field(scene.head.magnetization_A_m, scene.field))
+      if (scene.head.is_free() && points_against_field(scene.head.magnetization_A_m, scene.field))
         return "the head's magnetization points against the field, which turns it away from the axis";
       if (tail && points_against_field(tail->magnetization_A_m, scene.field))
         return "the tail's magnetization points against the field, which turns it away from the axis";
-      if (!scene.head.fixed && (has_driven_flow(scene) || weight_along_x(scene, scene.head.density_kg_m3) != 0. ||
-                                (tail && weight_along_x(scene, tail->density_kg_m3) != 0.)))
+      if (scene.head.is_free() && (has_driven_flow(scene) || weight_along_x(scene, scene.head.density_kg_m3) != 0. ||
+                                   (tail && weight_along_x(scene, tail->density_kg_m3) != 0.)))
         return "a free body in a flow or falling may turn or drift away from the axis";
-      if (scene.head.fixed && tail && weight_along_x(scene, tail->density_kg_m3) < 0.)
+      if (!scene.head.is_free() && tail && weight_along_x(scene, tail->density_kg_m3) < 0.)
         return "the tail's weight compresses it, and it may buckle";
       if (tail && scene.domain && !flow_pulls_on_tail(*scene.domain))
         return "the flow may compress the tail, and it may buckle";

@@ -15,7 +15,8 @@ namespace swimtwin
 {
   enum class HeadShape { rectangle, disc, ellipse };
   enum class TipShape { rounded, flat };
-  enum class MaterialModel { st_venant_kirchhoff, neo_hookean, rigid };
+  enum class HeadMotion { free, fixed, prescribed };
+  enum class MaterialModel { st_venant_kirchhoff, neo_hookean, rigid, prescribed };
   enum class DomainShape { box, channel, disc, annulus };
   enum class WallCondition { no_slip, traction_free, moving_wall, inflow };
   enum class InflowProfile { parabolic, uniform };
@@ -72,6 +73,15 @@ namespace swimtwin
     bool has_traction_free_wall() const;
   };
 
+  /// A head's given motion about its place and angle at rest: all of it times sin(2 pi f t + phase).
+  struct HeadOscillation
+  {
+    std::array<double, 2> amplitude_m  = {0., 0.};
+    double                angle_rad    = 0.;
+    double                frequency_Hz = 0.;
+    double                phase_rad    = 0.;
+  };
+
   /// Rigid head; `size_m` is its full extent along x and y at rest (a disc's two diameters are equal).
   struct Head
   {
@@ -81,7 +91,12 @@ namespace swimtwin
     double                angle_rad         = 0.; ///< of the whole swimmer at time 0
     double                density_kg_m3     = 0.;
     double                magnetization_A_m = 0.;
-    bool                  fixed             = false;
+    HeadMotion            motion            = HeadMotion::free;
+    HeadOscillation       oscillation; ///< of a prescribed motion
+
+    /// Whether forces move it.
+    bool is_free() const { return motion == HeadMotion::free; }
+    bool is_driven() const { return motion == HeadMotion::prescribed; }
 
     // The head is rigid: accepted and kept, not used.
     std::optional<double> young_modulus_Pa, poisson_ratio;
@@ -90,6 +105,17 @@ namespace swimtwin
     double area_m2() const;
     /// int r^2 dA (m^4) about the centre: times the density, the moment of inertia.
     double polar_moment_m4() const;
+  };
+
+  /// A tail's given bending: its axis, inextensible and with rigid cross sections, has at the arc length s from the
+  /// head the angle angle_rad s/L sin(2 pi (f t - waves s/L) + phase) to the head's. A wave runs from the head to the
+  /// tip; without one (waves = 0) the motion is reciprocal.
+  struct TailWave
+  {
+    double angle_rad    = 0.;
+    double frequency_Hz = 0.;
+    double waves        = 0.;
+    double phase_rad    = 0.;
   };
 
   /// Elastic tail along +x, clamped to the head; it starts at the head's surface. The length is measured on the axis,
@@ -103,7 +129,10 @@ namespace swimtwin
     MaterialModel law           = MaterialModel::st_venant_kirchhoff;
     double        young_modulus_Pa = 0., poisson_ratio = 0., density_kg_m3 = 0.;
     double        magnetization_A_m = 0.; ///< along the tail's +x in the reference configuration; energy -int B . (F M)
-    bool          is_rigid() const { return law == MaterialModel::rigid; } ///< moduli are then without meaning
+    TailWave      wave;                   ///< of a prescribed shape
+    bool          is_rigid() const { return law == MaterialModel::rigid; }
+    bool          is_driven() const { return law == MaterialModel::prescribed; }
+    bool          is_elastic() const { return !is_rigid() && !is_driven(); } ///< else moduli are without meaning
     bool          has_inertia_in_vacuum = false; ///< else it is in equilibrium at every instant
   };
 

@@ -30,10 +30,11 @@ namespace swimtwin
   template <>
   struct Names<MaterialModel>
   {
-    static constexpr std::array<std::pair<std::string_view, MaterialModel>, 3> list{
+    static constexpr std::array<std::pair<std::string_view, MaterialModel>, 4> list{
         {{"st-venant-kirchhoff", MaterialModel::st_venant_kirchhoff},
          {"neo-hookean", MaterialModel::neo_hookean},
-         {"rigid", MaterialModel::rigid}}};
+         {"rigid", MaterialModel::rigid},
+         {"prescribed", MaterialModel::prescribed}}};
   };
 
   template <>
@@ -107,13 +108,12 @@ namespace swimtwin
   };
 
   /// What a swimmer's head may do: the words of `[head] motion`.
-  enum class HeadMotion { free, fixed };
 
   template <>
   struct Names<HeadMotion>
   {
-    static constexpr std::array<std::pair<std::string_view, HeadMotion>, 2> list{
-        {{"free", HeadMotion::free}, {"fixed", HeadMotion::fixed}}};
+    static constexpr std::array<std::pair<std::string_view, HeadMotion>, 3> list{
+        {{"free", HeadMotion::free}, {"fixed", HeadMotion::fixed}, {"prescribed", HeadMotion::prescribed}}};
   };
 
   template <>

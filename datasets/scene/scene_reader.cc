@@ -136,14 +136,37 @@ namespace swimtwin
       return table.present() ? std::optional(domain) : std::nullopt;
     }
 
+    HeadOscillation read_oscillation(const TomlDocument &document)
+    {
+      TomlTable       table(document, "head.oscillation");
+      HeadOscillation oscillation;
+      table.pair("amplitude_m", optional("m", any_number), oscillation.amplitude_m);
+      table.number("angle_rad", optional("rad", any_number), oscillation.angle_rad);
+      table.number("frequency_Hz", required("Hz"), oscillation.frequency_Hz);
+      table.number("phase_rad", optional("rad", any_number), oscillation.phase_rad);
+      table.finish();
+      return oscillation;
+    }
+
+    TailWave read_wave(const TomlDocument &document)
+    {
+      TomlTable table(document, "tail.wave");
+      TailWave  wave;
+      table.number("angle_rad", required("rad", any_number), wave.angle_rad);
+      table.number("frequency_Hz", required("Hz"), wave.frequency_Hz);
+      table.number("waves", optional("", any_number), wave.waves);
+      table.number("phase_rad", optional("rad", any_number), wave.phase_rad);
+      table.finish();
+      return wave;
+    }
+
     Head read_head(const TomlDocument &document)
     {
       if (document.find("head") == nullptr)
         throw InputError(document.where("") + ": the table [head] is missing; every swimmer has a rigid head.");
-      TomlTable  table(document, "head");
-      Head       head;
-      HeadMotion motion     = HeadMotion::free;
-      double     diameter_m = 0.;
+      TomlTable table(document, "head");
+      Head      head;
+      double    diameter_m = 0.;
       read_choice(table, "shape", head.shape, Need::required);
       table.pair("size_m", optional("m"), head.size_m);
       table.number("diameter_m", optional("m"), diameter_m);
@@ -153,11 +176,12 @@ namespace swimtwin
       table.number("magnetization_A_m", optional("A/m", any_number), head.magnetization_A_m);
       table.number("young_modulus_Pa", optional("Pa"), head.young_modulus_Pa);
       table.number("poisson_ratio", optional("", poisson_range), head.poisson_ratio);
-      read_choice(table, "motion", motion);
+      read_choice(table, "motion", head.motion);
+      table.table("oscillation");
       table.finish();
       if (head.shape == HeadShape::disc)
         head.size_m = {diameter_m, diameter_m};
-      head.fixed = motion == HeadMotion::fixed;
+      head.oscillation = read_oscillation(document);
       return head;
     }
 
@@ -170,7 +194,7 @@ namespace swimtwin
       table.number("tip_height_m", required("m"), tail.tip_height_m);
       read_choice(table, "tip", tail.tip);
       read_choice(table, "law", tail.law);
-      const Need moduli = tail.is_rigid() ? Need::optional : Need::required;
+      const Need moduli = tail.is_elastic() ? Need::required : Need::optional;
       table.number("young_modulus_Pa", {"Pa", positive, moduli}, tail.young_modulus_Pa);
       table.number("poisson_ratio", {"", poisson_range, moduli}, tail.poisson_ratio);
       table.number("density_kg_m3", required("kg/m^3"), tail.density_kg_m3);
@@ -178,7 +202,9 @@ namespace swimtwin
       Inertia in_vacuum = Inertia::none;
       read_choice(table, "inertia", in_vacuum);
       tail.has_inertia_in_vacuum = in_vacuum == Inertia::full;
+      table.table("wave");
       table.finish();
+      tail.wave = read_wave(document);
       return table.present() ? std::optional(tail) : std::nullopt;
     }
 
@@ -247,7 +273,17 @@ namespace swimtwin
       return gravity;
     }
 
-    TimeSettings read_time(const TomlDocument &document, const double field_period_s)
+    /// Period of what drives the scene: of its field, or of a prescribed motion; 0 without either.
+    double driven_period_s(const Scene &scene)
+    {
+      if (scene.field.period_s() > 0.)
+        return scene.field.period_s();
+      if (scene.tail && scene.tail->is_driven())
+        return 1. / scene.tail->wave.frequency_Hz;
+      return scene.head.is_driven() ? 1. / scene.head.oscillation.frequency_Hz : 0.;
+    }
+
+    TimeSettings read_time(const TomlDocument &document, const double period_s)
     {
       if (document.find("time") == nullptr)
         throw InputError(document.where("") + ": the table [time] is missing; it says how long to simulate.");
@@ -261,11 +297,11 @@ namespace swimtwin
       table.integer("steps", optional("", at_least_one), steps);
       table.flag("steady", time.is_steady);
       table.finish();
-      check_time_entries(document, field_period_s > 0., time.is_steady);
+      check_time_entries(document, period_s > 0., time.is_steady);
       if (time.is_steady)
         return {.period_s = 1., .periods = 1., .steps_per_period = 1, .is_steady = true};
-      if (field_period_s > 0.)
-        time.period_s = field_period_s;
+      if (period_s > 0.)
+        time.period_s = period_s;
       else
         time = {duration_s, 1., steps};
       return time;
@@ -344,7 +380,8 @@ namespace swimtwin
   Scene parse_scene(const std::string_view text, const std::string &name, const std::vector<std::string> &overrides)
   {
     TomlDocument document(text, name, overrides);
-    Scene        scene;
+    document.apply_variant();
+    Scene scene;
     scene.name      = std::filesystem::path(name).stem().string();
     scene.dimension = read_top_level(document);
     check_dimension(document, scene.dimension);
@@ -353,11 +390,12 @@ namespace swimtwin
     scene.head   = read_head(document);
     scene.tail   = read_tail(document);
     check_shape_entries(document, scene);
+    check_motion_entries(document, scene);
     if (scene.domain)
       scene.domain->walls = read_walls(document, scene.domain->shape);
     scene.field    = read_field(document, std::filesystem::path(name).parent_path());
     scene.gravity  = read_gravity(document);
-    scene.time     = read_time(document, scene.field.period_s());
+    scene.time     = read_time(document, driven_period_s(scene));
     scene.numerics = read_numerics(document, scene);
     scene.output   = read_output(document);
     if (scene.time.is_steady)

@@ -73,12 +73,12 @@ namespace swimtwin
         document.refuse("domain", "", "needs a [fluid] that fills it; add it, or remove [domain].");
       if (!scene.fluid && !scene.tail)
         document.refuse("head", "", "is rigid and alone, so there is nothing to solve; add a [fluid] or a [tail].");
-      if (!scene.fluid && !scene.head.fixed)
+      if (!scene.fluid && scene.head.is_free())
         document.refuse("head", "motion",
                         has(document, "head", "motion")
                             ? "has nothing to hold the head without a [fluid]; set it to \"fixed\", or add a [fluid]."
                             : "must be \"fixed\" without a [fluid], because nothing else holds the head.");
-      if (!scene.head.fixed)
+      if (scene.head.is_free())
         need_entry(document, "head", "density_kg_m3", "a free head needs it, in kg/m^3");
     }
 
@@ -93,11 +93,30 @@ namespace swimtwin
             "does not converge; use \"monolithic\", or [fluid] inertia = \"none\".");
     }
 
+    /// What a shape or a head that is given does not go with.
+    void check_given_motion(const TomlDocument &document, const Scene &scene)
+    {
+      const bool has_given_shape = scene.tail && scene.tail->is_driven();
+      if (has_given_shape && !scene.fluid)
+        document.refuse("tail", "law",
+                        "cannot be \"prescribed\" without a [fluid]: there is nothing to solve; add a [fluid].");
+      if (has_given_shape && !scene.domain->has_traction_free_wall())
+        document.refuse(
+            "tail", "law",
+            "cannot be \"prescribed\" in a domain without a traction-free wall, whose fluid leaves no room for "
+            "what a meshed shape changes of its area; make a wall \"traction-free\".");
+      if (has_given_shape && scene.numerics.tail_order == 1)
+        document.refuse("numerics", "tail_order", "of 1 is for an elastic tail; leave it out.");
+      if (scene.numerics.coupling == CouplingScheme::fixed_point && scene.head.is_driven() && scene.tail)
+        document.refuse("numerics", "coupling",
+                        "cannot be \"fixed-point\" with a prescribed motion of the head; use \"monolithic\".");
+    }
+
     void check_steady(const TomlDocument &document, const Scene &scene)
     {
       if (!scene.time.is_steady)
         return;
-      if (!scene.head.fixed)
+      if (scene.head.motion != HeadMotion::fixed || (scene.tail && scene.tail->is_driven()))
         document.refuse("time", "steady", "is for a head that is fixed; set [head] motion = \"fixed\", or remove it.");
       if (scene.field.waveform() != FieldProgram::Waveform::none)
         document.refuse("time", "steady", "does not go with a [field], which changes in time; remove one of them.");
@@ -305,7 +324,21 @@ namespace swimtwin
                       "leave [field] out.");
   }
 
-  void check_time_entries(const TomlDocument &document, const bool field_is_periodic, const bool is_steady)
+  void check_motion_entries(const TomlDocument &document, const Scene &scene)
+  {
+    const auto belongs = [&](const std::string &parent, const std::string &table, const bool is_asked_for,
+                             const std::string &switch_on) {
+      if (is_asked_for && !has(document, parent, table))
+        document.refuse(parent, table, fmt::format("is missing; {} needs its motion.", switch_on));
+      if (!is_asked_for && has(document, parent, table))
+        document.refuse(parent, table, fmt::format("is not used; set {}, or remove it.", switch_on));
+    };
+    belongs("head", "oscillation", scene.head.is_driven(), "[head] motion = \"prescribed\"");
+    if (scene.tail)
+      belongs("tail", "wave", scene.tail->is_driven(), "[tail] law = \"prescribed\"");
+  }
+
+  void check_time_entries(const TomlDocument &document, const bool is_periodic, const bool is_steady)
   {
     if (is_steady)
     {
@@ -313,19 +346,20 @@ namespace swimtwin
         refuse_entry(document, "time", key, "does not go with steady = true; remove one of them.");
       return;
     }
-    const std::string reason = field_is_periodic
-                                   ? "does not go with a periodic field; give periods and steps_per_period."
-                                   : "needs a periodic field; give duration_s and steps.";
+    const std::string reason = is_periodic
+                                   ? "does not go with a periodic field or motion; give periods and steps_per_period."
+                                   : "needs a periodic field or motion; give duration_s and steps.";
     for (const char *key : {"duration_s", "steps"})
-      if (field_is_periodic)
+      if (is_periodic)
         refuse_entry(document, "time", key, reason);
       else
-        need_entry(document, "time", key, "without a periodic field give duration_s in s and the number of steps");
+        need_entry(document, "time", key,
+                   "without a periodic field or motion give duration_s in s and the number of steps");
     for (const char *key : {"periods", "steps_per_period"})
-      if (!field_is_periodic)
+      if (!is_periodic)
         refuse_entry(document, "time", key, reason);
       else
-        need_entry(document, "time", key, "with a periodic field give periods and steps_per_period");
+        need_entry(document, "time", key, "with a periodic field or motion give periods and steps_per_period");
   }
 
   void check_scene(const TomlDocument &document, const Scene &scene)
@@ -333,6 +367,7 @@ namespace swimtwin
     check_parts(document, scene);
     check_inertia(document, scene);
     check_steady(document, scene);
+    check_given_motion(document, scene);
     if (scene.tail)
       check_tail(document, scene.head, *scene.tail);
     if (scene.domain)

@@ -139,6 +139,49 @@ namespace swimtwin
   }
 
   template <int dim>
+  void MotionMap<dim>::give(const unsigned int row, const double value)
+  {
+    given_.resize(n_rows(), 0.);
+    given_[row] = value;
+  }
+
+  template <int dim>
+  double MotionMap<dim>::given_rotation(const HeadRow &row) const
+  {
+    AngularVelocity<dim> omega;
+    for (int k = 0; k < n_rotations<dim>; ++k)
+      omega[k] = given_[head_row(dim + k)];
+    return rotational_velocity<dim>(omega, rotation_ * row.X)[row.component];
+  }
+
+  template <int dim>
+  double MotionMap<dim>::follow_given(const unsigned int row) const
+  {
+    switch (kind_[row])
+    {
+    case Kind::free:
+      return 0.;
+    case Kind::imposed:
+      return imposed[row];
+    case Kind::head:
+      return given_[row];
+    case Kind::on_head: {
+      const HeadRow &on_head = head_rows_[head_row_of_row_[row]];
+      return given_[head_row(on_head.component)] + given_rotation(on_head);
+    }
+    case Kind::tied: {
+      double sum = 0.;
+      for (const auto master : masters_[row])
+        sum += follow_given(master);
+      return given_[row] + sign_[row] * sum / masters_[row].size();
+    }
+    case Kind::turning:
+      return follow_given(masters_[row].front()) + given_rotation(head_rows_[head_row_of_row_[row]]);
+    }
+    return 0.;
+  }
+
+  template <int dim>
   void MotionMap<dim>::build_terms()
   {
     terms_.clear();
@@ -149,6 +192,8 @@ namespace swimtwin
       append_terms(row, 1.);
     }
     first_term_.push_back(terms_.size());
+    for (unsigned int row = 0; !given_.empty() && row < n_rows(); ++row)
+      imposed[row] = follow_given(row);
   }
 
   template <int dim>

@@ -75,11 +75,15 @@ namespace swimtwin
     /// Number the unknowns. `owner` tells the rank of each row; a free head belongs to the last rank.
     void close(const std::vector<unsigned int> &owner, bool head_is_free, MPI_Comm communicator);
 
-    /// Turn the head: updates the coefficients of rows that move with it, also after `move_on_head`. Which unknowns a
-    /// row has never changes.
+    /// A prescribed value of one of a held head's velocities (m/s, rad/s), or an addition to what a row that is tied to
+    /// it has from there (a tail whose shape is given); any time before `set_rotation`.
+    void give(unsigned int row, double value);
+
+    /// Turn the head: updates the coefficients of rows that move with it, also after `move_on_head` and `give`. Which
+    /// unknowns a row has never changes.
     void set_rotation(const dealii::Tensor<2, dim> &rotation);
 
-    std::vector<double> imposed; ///< constant part of every row: zero until set
+    std::vector<double> imposed; ///< constant part of every row: zero until set; what follows from `give` sets itself
 
     unsigned int n_rows() const { return kind_.size(); }
     unsigned int n_unknowns() const { return n_unknowns_; }
@@ -108,9 +112,11 @@ namespace swimtwin
       unsigned int           component;
       dealii::Tensor<1, dim> X;
     };
-    void append_terms(unsigned int row, double factor);
-    void append_rotation(const HeadRow &row, double factor);
-    void build_terms();
+    void   append_terms(unsigned int row, double factor);
+    void   append_rotation(const HeadRow &row, double factor);
+    void   build_terms();
+    double given_rotation(const HeadRow &row) const;
+    double follow_given(unsigned int row) const;
 
     double                                 length_scale_;
     std::vector<Kind>                      kind_;
@@ -119,6 +125,7 @@ namespace swimtwin
     std::vector<std::vector<unsigned int>> masters_;
     std::vector<double>                    sign_;    ///< of tied rows
     std::vector<unsigned int>              unknown_; ///< of free rows
+    std::vector<double>                    given_;   ///< empty unless something is
     std::vector<Term>                      terms_;
     std::vector<unsigned int>              first_term_;
     unsigned int                           n_unknowns_ = 0, first_owned_ = 0, last_owned_ = 0;

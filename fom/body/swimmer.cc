@@ -33,7 +33,7 @@ namespace swimtwin
                     surface_at_rest_[(k + surface_at_rest_.size() - 2) % surface_at_rest_.size()])));
     if (scene.tail)
       make_tail(outline, communicator);
-    if (!scene.head.fixed)
+    if (scene.head.is_free())
       weigh_surface();
   }
 
@@ -56,12 +56,12 @@ namespace swimtwin
       tail_node_of_surface_[first + i] = tail_->surface_nodes[i];
     if (scene_.numerics.tail_order == 1)
       straighten_surface();
-    // A rigid tail is one that is clamped everywhere.
-    const LameConstants lame = scene_.tail->is_rigid()
-                                   ? LameConstants{}
-                                   : lame_constants(scene_.tail->young_modulus_Pa, scene_.tail->poisson_ratio);
+    // A tail that is rigid, or whose shape is given, is one that is clamped everywhere.
+    const LameConstants lame = scene_.tail->is_elastic()
+                                   ? lame_constants(scene_.tail->young_modulus_Pa, scene_.tail->poisson_ratio)
+                                   : LameConstants{};
     elasticity_              = std::make_unique<ElasticTail<dim>>(tail_->mesh, make_law<dim>(scene_.tail->law, lame));
-    is_clamped_.assign(tail_->mesh.n_nodes(), scene_.tail->is_rigid());
+    is_clamped_.assign(tail_->mesh.n_nodes(), !scene_.tail->is_elastic());
     for (const auto node : tail_->clamped_nodes)
       is_clamped_[node] = 1;
   }
@@ -296,8 +296,8 @@ namespace swimtwin
   template <int dim>
   Tensor<1, dim> Swimmer<dim>::force_on_head(const double time_s) const
   {
-    // What holds a fixed head carries its weight too, but that is not asked of a scene and not reported.
-    if (scene_.head.fixed)
+    // What holds a head carries its weight too, but that is not asked of a scene and not reported.
+    if (!scene_.head.is_free())
       return {};
     return scene_.head.area_m2() * effective_gravity(scene_.head.density_kg_m3, time_s);
   }

@@ -63,7 +63,7 @@ namespace swimtwin
     Swimmer(const Scene &scene, MPI_Comm communicator);
 
     bool                    has_tail() const { return tail_ != nullptr; }
-    bool                    can_bend() const { return tail_ && !scene_.tail->is_rigid(); }
+    bool                    can_bend() const { return tail_ && scene_.tail->is_elastic(); }
     const TailMesh<dim>    &tail() const { return *tail_; }
     const ElasticTail<dim> &elasticity() const { return *elasticity_; }
     bool                    is_clamped(const unsigned int tail_node) const { return is_clamped_[tail_node]; }
@@ -106,8 +106,8 @@ namespace swimtwin
     MagneticTorque         torque_on_head(double angle_rad, double time_s) const;
 
     /// From the head's centre to the body's middle, the mean position of its surface (m, head frame): linear in the
-    /// shape. The middle is what time stepping advances (docs/equations.md, section 6); of a fixed head it is the
-    /// centre.
+    /// shape. The middle is what time stepping advances (docs/equations.md, section 6); of a head that is not free
+    /// it is the centre.
     dealii::Tensor<1, dim> arm_to_middle(const NodalField<dim> &shape) const;
     dealii::Tensor<1, dim> rate_of_arm(const NodalField<dim> &shape_rate) const; ///< m/s
 

@@ -43,7 +43,7 @@ namespace swimtwin
       owner.push_back(fluid_->row_owner(row));
     for (unsigned int row = 0; row < n_tail_rows(); ++row)
       owner.push_back(tail_numbering_->owner(row % tail_numbering_->size()));
-    map_.close(owner, !swimmer.scene().head.fixed, communicator);
+    map_.close(owner, swimmer.scene().head.is_free(), communicator);
     lay_out();
   }
 
@@ -129,6 +129,29 @@ namespace swimtwin
   }
 
   template <int dim>
+  void CoupledSystem<dim>::give_motion(const LinearizationPoint<dim> &point)
+  {
+    const Scene &scene = swimmer_.scene();
+    if (scene.head.is_driven())
+    {
+      for (int c = 0; c < dim; ++c)
+        map_.give(map_.head_row(c), point.rates.velocity[c]);
+      for (int k = 0; k < n_rotations<dim>; ++k)
+        map_.give(map_.head_row(dim + k), point.rates.omega[k]);
+    }
+    if (scene.tail && scene.tail->is_driven())
+    {
+      const Tensor<2, dim> R = point.configuration.pose.rotation();
+      for (unsigned int a = 0; a < point.rates.shape_rate.size(); ++a)
+      {
+        const Tensor<1, dim> v = R * point.rates.shape_rate[a];
+        for (int c = 0; c < dim; ++c)
+          map_.give(tail_row(a, c), v[c]);
+      }
+    }
+  }
+
+  template <int dim>
   void CoupledSystem<dim>::describe_mirror()
   {
     map_.keep_head_on_axis();
@@ -144,6 +167,7 @@ namespace swimtwin
   template <int dim>
   bool CoupledSystem<dim>::solve(const LinearizationPoint<dim> &point, std::vector<double> &unknowns)
   {
+    give_motion(point);
     move_surface(point.configuration);
     if (fluid_)
       fluid_->set_wall_velocities(map_, point.time_s);
@@ -314,15 +338,15 @@ namespace swimtwin
   template <int dim>
   CoupledVelocities<dim> CoupledSystem<dim>::velocities(const std::vector<double> &unknowns) const
   {
-    CoupledVelocities<dim> v;
-    for (unsigned int k = 0; k < map_.n_head_unknowns(); ++k)
-      if (const double value = unknowns[map_.first_head_unknown() + k]; k < dim)
+    CoupledVelocities<dim>    v;
+    const std::vector<double> rows = map_.expand(unknowns);
+    for (int k = 0; k < n_rigid<dim>; ++k)
+      if (const double value = rows[map_.head_row(k)]; k < dim)
         v.head_velocity[k] = value;
       else
-        v.head_omega[k - dim] = value / map_.length_scale();
+        v.head_omega[k - dim] = value;
     if (tail_numbering_)
     {
-      const std::vector<double> rows = map_.expand(unknowns);
       v.tail.resize(swimmer_.tail().mesh.n_nodes());
       for (unsigned int a = 0; a < v.tail.size(); ++a)
         for (int c = 0; c < dim; ++c)

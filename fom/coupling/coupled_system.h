@@ -64,6 +64,7 @@ namespace swimtwin
     void describe_tail();
     void describe_surface();
     void move_surface(const Configuration<dim> &configuration);
+    void give_motion(const LinearizationPoint<dim> &point);
     void describe_mirror();
     void lay_out();
     /// Linearised forces of one tail cell: rows and columns are its nodes' velocities without the head's rotation.

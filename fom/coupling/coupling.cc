@@ -38,6 +38,8 @@ namespace swimtwin
              "itself, contact is not modelled";
     case StepOutcome::tail_inverted:
     case StepOutcome::tail_equilibrium_failed:
+      if (scene.tail->is_driven())
+        return "the bending of [tail.wave] turns elements inside out: lower its angle_rad or its number of waves";
       return scene.tail->law == MaterialModel::st_venant_kirchhoff
                  ? "the tail is compressed beyond what the St Venant-Kirchhoff law can bear, or the step is too long: "
                    "use "
@@ -57,7 +59,7 @@ namespace swimtwin
   bool is_partitioned(const Scene &scene)
   {
     return scene.numerics.coupling == CouplingScheme::fixed_point && scene.fluid && scene.tail &&
-           !scene.tail->is_rigid();
+           scene.tail->is_elastic();
   }
 
   template <int dim>

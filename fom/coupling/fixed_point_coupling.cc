@@ -28,7 +28,7 @@ namespace swimtwin
   void FixedPointCoupling<dim>::use_fluid(FluidDomain<dim> *fluid)
   {
     fluid_ = fluid;
-    flow_  = std::make_unique<FluidRigidSystem<dim>>(swimmer_, *fluid, flow_solver_, !swimmer_.scene().head.fixed,
+    flow_  = std::make_unique<FluidRigidSystem<dim>>(swimmer_, *fluid, flow_solver_, swimmer_.scene().head.is_free(),
                                                     communicator_);
     unknowns_.clear();
     unknowns_before_.clear();

@@ -93,10 +93,11 @@ namespace swimtwin
       return next;
     }
 
-    const auto &mesh = swimmer_.tail().mesh;
+    const auto &mesh           = swimmer_.tail().mesh;
+    const bool  shape_is_given = swimmer_.scene().tail->is_driven();
     next.shape.resize(mesh.n_nodes());
     for (unsigned int a = 0; a < mesh.n_nodes(); ++a)
-      if (!swimmer_.is_clamped(a))
+      if (!swimmer_.is_clamped(a) || shape_is_given)
         next.shape[a] = known.shape[a] + slope * (Rt * (velocities.tail[a] - velocities.head_velocity));
     if (numerics_.tail_order == 1)
       for (unsigned int e = 0; e < mesh.edges().size(); ++e)

@@ -1,5 +1,7 @@
 #include <fom/fluid/fluid_domain.h>
 
+#include <datasets/scene/dimensionless_groups.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
@@ -139,7 +141,7 @@ namespace swimtwin
     // Taken from the iterate, the convective term's error shrinks in each iteration by rho U l / (rho l^2 / c + mu) for
     // a disturbance of length l: at most U sqrt(rho c / mu) / 2, at l = sqrt(mu c / rho).
     constexpr double mild  = 0.1;
-    double           speed = largest_wall_speed(*scene_.domain);
+    double           speed = largest_imposed_speed_m_s(scene_);
     for (unsigned int i = 0; i < mesh().n_nodes(); ++i)
       speed = std::max(speed, past_.now.velocity[i].norm());
     const double contraction =

@@ -228,15 +228,4 @@ namespace swimtwin
     }
     return v;
   }
-
-  double largest_wall_speed(const Domain &domain)
-  {
-    double largest = 0.;
-    for (const auto &[name, wall] : domain.walls)
-      largest = std::max(
-          largest,
-          std::abs(wall.speed_m_s) *
-              (wall.condition == WallCondition::inflow && wall.profile == InflowProfile::parabolic ? 1.5 : 1.));
-    return largest;
-  }
 } // namespace swimtwin

@@ -55,7 +55,4 @@ namespace swimtwin
   /// Velocity (m/s) that a wall imposes at a point; zero for no-slip. Not for traction-free walls.
   dealii::Tensor<1, 2> wall_velocity(const Domain &domain, const std::string &wall_name, const dealii::Point<2> &x,
                                      double time_s);
-
-  /// Largest speed (m/s) that walls and inflows ever impose.
-  double largest_wall_speed(const Domain &domain);
 } // namespace swimtwin

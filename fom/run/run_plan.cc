@@ -33,7 +33,7 @@ namespace swimtwin
     {
       constexpr double largest_cell_reynolds_number = 200., largest_way_per_step = 0.2, far_enough = 2.5;
       const auto      &fluid = *scene.fluid;
-      const double     speed = largest_wall_speed(*scene.domain), L = scene.body_length_m();
+      const double     speed = largest_imposed_speed_m_s(scene), L = scene.body_length_m();
       if (const double cell = fluid.density_kg_m3 * speed * scene.numerics.mesh_size_far_m / fluid.viscosity_Pa_s;
           cell > largest_cell_reynolds_number)
         plan.warnings.push_back(
@@ -100,6 +100,8 @@ namespace swimtwin
         plan.skipped.push_back({"elasticity", "the body has no tail: one rigid body with three velocities"});
       else if (scene.tail->is_rigid())
         plan.skipped.push_back({"elasticity", "the tail is rigid: one body with three velocities"});
+      else if (scene.tail->is_driven())
+        plan.skipped.push_back({"elasticity", "the tail's shape is given at every instant"});
       else
       {
         plan.solved.push_back(
@@ -115,7 +117,9 @@ namespace swimtwin
           plan.numbers.push_back(
               {"elastic group", fmt::format("E h^3 / (12 (1 - nu^2) mu f L^3) = {:.3g}", elastic_group(scene))});
       }
-      if (scene.head.fixed)
+      if (scene.head.is_driven())
+        plan.skipped.push_back({"head's motion", "given; the force and torque that drive it are reported"});
+      else if (!scene.head.is_free())
         plan.skipped.push_back({"head's motion", "fixed; the force and torque that hold it are reported"});
       else
         plan.solved.push_back({"head", "rigid, three velocities, eliminated on its surface by the motion map"});
@@ -131,7 +135,7 @@ namespace swimtwin
     {
       if (!scene.fluid)
         return;
-      const bool body_is_still = scene.head.fixed && !scene.tail;
+      const bool body_is_still = scene.head.motion == HeadMotion::fixed && !scene.tail;
       const bool moves_along   = scene.domain->moves_with_swimmer && !scene.tail;
       if (body_is_still || moves_along)
         plan.skipped.push_back(

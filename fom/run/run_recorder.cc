@@ -47,7 +47,7 @@ namespace swimtwin
     row.bx_T                = field[0];
     row.by_T                = field[1];
     row.magnetic_power_W_m  = balance.magnetic;
-    row.external_power_W_m  = balance.gravity + balance.wall;
+    row.external_power_W_m  = balance.gravity + balance.wall + balance.drive;
     row.dissipation_W_m     = balance.dissipation;
     row.elastic_energy_J_m  = balance.elastic_energy;
     row.kinetic_energy_J_m  = balance.kinetic_energy;

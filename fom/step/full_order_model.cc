@@ -1,7 +1,9 @@
 #include <fom/step/full_order_model.h>
 
+#include <datasets/scene/dimensionless_groups.h>
 #include <datasets/system/error.h>
 #include <fom/algebra/cpu_time.h>
+#include <fom/body/given_motion.h>
 #include <fom/body/mesh_around.h>
 #include <fom/fluid/flow_transfer.h>
 #include <fom/mesh/inverted_element.h>
@@ -46,7 +48,7 @@ namespace swimtwin
     /// Time (s) that a stream or a fall takes to pass the body.
     double time_of_passage(const Scene &scene)
     {
-      const double length = scene.body_length_m(), speed = scene.domain ? largest_wall_speed(*scene.domain) : 0.;
+      const double length = scene.body_length_m(), speed = largest_imposed_speed_m_s(scene);
       const double gravity = std::hypot(scene.gravity.acceleration_m_s2[0], scene.gravity.acceleration_m_s2[1]);
       return speed > 0. ? length / speed : gravity > 0. ? std::sqrt(length / gravity) : 1.;
     }
@@ -58,6 +60,7 @@ namespace swimtwin
         coupling_(make_coupling(swimmer_, communicator)), follows_way_(starts_under_load(swimmer_))
   {
     now_.configuration = swimmer_.configuration_at_rest();
+    take_given_configuration(swimmer_, 0., now_.configuration);
     now_.rates.shape_rate.resize(now_.configuration.shape.size());
     if (scene.fluid)
     {
@@ -74,6 +77,12 @@ namespace swimtwin
   void FullOrderModel<dim>::solve_initial_flow()
   {
     // Without a tail and inertia the velocities follow from the position alone; else the run starts from rest.
+    if (scene_.head.is_driven())
+    {
+      const auto given    = given_pose<dim>(scene_.head, 0.);
+      now_.rates.velocity = given.velocity;
+      now_.rates.omega    = given.omega;
+    }
     const TimeStep<dim> no_step{known_configuration(swimmer_, Bdf2(0., 0.), now_, now_), 0., 0., 0., 0};
     if (coupling_->solve(no_step, now_.configuration, now_.rates) != StepOutcome::accepted)
       throw ComputationError("the flow at the start could not be solved: refine [numerics] mesh_size_m");
@@ -230,7 +239,8 @@ namespace swimtwin
     if (fluid_)
       fluid_->begin_step(bdf);
 
-    Rates<dim>         rates         = extrapolated_rates(now_, before, growth);
+    Rates<dim> rates = extrapolated_rates(now_, before, growth);
+    take_given_rates(swimmer_, step, rates);
     Configuration<dim> configuration = step.known;
     configuration.pose.angle += bdf.slope_weight * rates.omega[0];
     for (unsigned int a = 0; a < configuration.shape.size(); ++a)

@@ -41,8 +41,8 @@ namespace swimtwin
       return {sum.force[0], sum.force[1], sum.torque};
     }
 
-    /// What must hold a fixed head: loads and momentum of the whole body balance, and the tail's internal forces have
-    /// no resultant.
+    /// What must hold a fixed head, or drive one whose motion is given: loads and momentum of the whole body balance,
+    /// and the tail's internal forces have no resultant.
     template <int dim>
     std::array<double, 3> load_that_holds(const Swimmer<dim> &swimmer, const std::array<double, 3> &of_fluid,
                                           const NodalField<dim>    &inertial_force,
@@ -63,6 +63,36 @@ namespace swimtwin
       const auto head   = swimmer.force_on_head(time_s);
       const auto torque = swimmer.torque_on_head(configuration.pose.angle, time_s).torque;
       return {sum.force[0] - head[0], sum.force[1] - head[1], sum.torque - torque};
+    }
+    /// Power of what gives a motion. Where the shape is given: all that the body gives to the fluid and to its own
+    /// inertia, less what other loads give to it.
+    template <int dim>
+    double power_of_drive(const Swimmer<dim> &swimmer, const PowerBalance &balance, const double body_growth,
+                          const Configuration<dim> &configuration, const Rates<dim> &rates)
+    {
+      const Scene &scene = swimmer.scene();
+      if (scene.tail && scene.tail->is_driven())
+      {
+        const NodalField<dim> w     = swimmer.tail_velocities(configuration, rates);
+        const auto            x     = swimmer.surface(configuration);
+        double                power = body_growth - balance.magnetic - balance.gravity;
+        for (unsigned int k = 0; k < x.size(); ++k)
+        {
+          const int            node = swimmer.tail_node(k);
+          const Tensor<1, dim> v =
+              node >= 0 ? w[node]
+                        : rates.velocity + rotational_velocity<dim>(rates.omega, x[k] - configuration.pose.center);
+          for (int c = 0; c < dim; ++c)
+            power += balance.surface_force[k * dim + c] * v[c];
+        }
+        return power;
+      }
+      if (!scene.head.is_driven())
+        return 0.;
+      double power = balance.load_that_holds_head[2] * rates.omega[0];
+      for (int c = 0; c < dim; ++c)
+        power += balance.load_that_holds_head[c] * rates.velocity[c];
+      return power;
     }
   } // namespace
 
@@ -100,20 +130,31 @@ namespace swimtwin
       }
     }
     NodalField<dim> inertial_force;
+    double          body_growth = 0.;
     if (acceleration)
     {
       const auto velocities = swimmer.velocities(configuration, rates);
       balance.kinetic_energy += swimmer.kinetic_energy(velocities);
       inertial_force = swimmer.inertial_force_on_tail(acceleration->tail);
       for (unsigned int a = 0; a < inertial_force.size(); ++a)
-        balance.kinetic_growth += inertial_force[a] * velocities.tail[a];
+        body_growth += inertial_force[a] * velocities.tail[a];
       if (swimmer.inertia().head)
-        balance.kinetic_growth += swimmer.head_mass() * (acceleration->head * velocities.head) +
-                                  swimmer.head_moment_of_inertia() * (acceleration->omega * velocities.omega);
+        body_growth += swimmer.head_mass() * (acceleration->head * velocities.head) +
+                       swimmer.head_moment_of_inertia() * (acceleration->omega * velocities.omega);
+      balance.kinetic_growth += body_growth;
     }
-    if (swimmer.scene().head.fixed)
+    if (!swimmer.scene().head.is_free())
+    {
       balance.load_that_holds_head =
           load_that_holds(swimmer, balance.load_of_fluid, inertial_force, configuration, time_s);
+      if (acceleration && swimmer.inertia().head)
+      {
+        for (int c = 0; c < dim; ++c)
+          balance.load_that_holds_head[c] += swimmer.head_mass() * acceleration->head[c];
+        balance.load_that_holds_head[2] += swimmer.head_moment_of_inertia() * acceleration->omega[0];
+      }
+    }
+    balance.drive = power_of_drive(swimmer, balance, body_growth, configuration, rates);
     return balance;
   }
 

@@ -90,7 +90,7 @@ namespace swimtwin
       const auto       field     = scene.field(0.);
       const double     largest =
           scene.head.magnetization_A_m * scene.head.area_m2() * std::hypot(field[0], field[1], field[2]);
-      return !scene.head.fixed &&
+      return scene.head.is_free() &&
              std::abs(swimmer.torque_on_head(scene.head.angle_rad, 0.).torque) > round_off * std::abs(largest);
     }
   } // namespace
@@ -102,8 +102,9 @@ namespace swimtwin
 
   bool starts_under_load(const Swimmer<2> &swimmer)
   {
-    const Scene &scene = swimmer.scene();
-    return scene.fluid && swimmer.has_tail() &&
+    const Scene &scene     = swimmer.scene();
+    const bool   is_driven = scene.head.is_driven() || (scene.tail && scene.tail->is_driven());
+    return scene.fluid && swimmer.has_tail() && !is_driven &&
            (head_is_turned(swimmer) || tail_is_loaded(swimmer) || swimmer.force_on_head(0.).norm() > 0. ||
             walls_move_at_once(*scene.domain));
   }

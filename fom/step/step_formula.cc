@@ -1,5 +1,7 @@
 #include <fom/step/step_formula.h>
 
+#include <fom/body/given_motion.h>
+
 namespace swimtwin
 {
   using namespace dealii;
@@ -49,6 +51,24 @@ namespace swimtwin
   }
 
   template <int dim>
+  void take_given_rates(const Swimmer<dim> &swimmer, const TimeStep<dim> &step, Rates<dim> &rates)
+  {
+    const Scene &scene = swimmer.scene();
+    if (scene.head.is_driven())
+    {
+      const RigidPose<dim> pose = given_pose<dim>(scene.head, step.time_s).pose;
+      rates.velocity            = (pose.center - step.known.pose.center) / step.slope_weight;
+      rates.omega[0]            = (pose.angle - step.known.pose.angle) / step.slope_weight;
+    }
+    if (scene.tail && scene.tail->is_driven())
+    {
+      const NodalField<dim> shape = given_shape(swimmer, step.time_s);
+      for (unsigned int a = 0; a < shape.size(); ++a)
+        rates.shape_rate[a] = (shape[a] - step.known.shape[a]) / step.slope_weight;
+    }
+  }
+
+  template <int dim>
   std::optional<BodyVelocities<dim>> acceleration(const Swimmer<dim> &swimmer, const TimeStep<dim> &step,
                                                   const Instant<dim> &now)
   {
@@ -67,6 +87,7 @@ namespace swimtwin
                                                    const Instant<2> &);
   template std::optional<BodyVelocities<2>> known_velocities<2>(const Swimmer<2> &, const Bdf2 &, const Instant<2> &,
                                                                 const Instant<2> &);
+  template void                             take_given_rates<2>(const Swimmer<2> &, const TimeStep<2> &, Rates<2> &);
   template Rates<2>                         extrapolated_rates<2>(const Instant<2> &, const Instant<2> &, double);
   template std::optional<BodyVelocities<2>> acceleration<2>(const Swimmer<2> &, const TimeStep<2> &,
                                                             const Instant<2> &);

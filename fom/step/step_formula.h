@@ -24,6 +24,10 @@ namespace swimtwin
   template <int dim>
   Rates<dim> extrapolated_rates(const Instant<dim> &now, const Instant<dim> &before, double growth);
 
+  /// What the scene prescribes, in the place of what stands there: rates that lead to it at the end of the step.
+  template <int dim>
+  void take_given_rates(const Swimmer<dim> &swimmer, const TimeStep<dim> &step, Rates<dim> &rates);
+
   /// Rates of the velocities at the end of the step, `now`, of a body with inertia.
   template <int dim>
   std::optional<BodyVelocities<dim>> acceleration(const Swimmer<dim> &swimmer, const TimeStep<dim> &step,

@@ -23,7 +23,7 @@ namespace swimtwin
     TimeAxis                          axis;
 
     double time(double time_s) const { return axis(time_s); }
-    bool   head_moves() const { return !scene.head.fixed; }
+    bool   head_moves() const { return scene.head.motion != HeadMotion::fixed; }
     bool   has_tail() const { return scene.tail.has_value(); }
     /// The last full period; all rows without one.
     Rows last_period() const { return last_periods(trajectory, axis, 1); }

@@ -17,8 +17,8 @@ namespace swimtwin
   {
     std::string displacement_text(const RunFolder &run)
     {
-      if (run.scene && run.scene->head.fixed)
-        return "the head is held";
+      if (run.scene && !run.scene->head.is_free())
+        return run.scene->head.is_driven() ? "the head's motion is given" : "the head is held";
       const RunSummary &summary = run.record.summary;
       const double      net_m   = summary.displacement_per_period_m.back();
       return fmt::format("{} mm{} in period {}, positive head first", signed_number(mm * net_m, 4),
@@ -56,7 +56,7 @@ namespace swimtwin
     page.add_warnings(summary.warnings);
     if (!run.warning.empty())
       page.add_warning(run.warning);
-    if (has_full_period(summary) && !(run.scene && run.scene->head.fixed))
+    if (has_full_period(summary) && !(run.scene && !run.scene->head.is_free()))
     {
       page.add_heading("Displacement of the head, positive head first");
       page.add_table(displacement_table(run));

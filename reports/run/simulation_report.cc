@@ -14,8 +14,9 @@ namespace swimtwin
       if (!has_full_period(summary))
         return fmt::format("  no displacement per period: no full period of {:.4g} s was computed\n",
                            scene.time.period_s);
-      if (scene.head.fixed)
-        return "  no displacement: the head is held\n";
+      if (!scene.head.is_free())
+        return scene.head.is_driven() ? "  no displacement: the head's motion is given\n"
+                                      : "  no displacement: the head is held\n";
       std::string text;
       for (std::size_t k = 0; k < summary.displacement_per_period_m.size(); ++k)
         text += fmt::format("  period {:<3} displacement of the head {:+.5f} mm, head first\n", k + 1,

@@ -111,7 +111,7 @@ namespace swimtwin
       for (const auto &[folder, run] : runs)
       {
         const auto &[scene, summary] = std::tie(run.scene, run.record.summary);
-        if (has_completed(summary) && summary.net_displacement_m && scene && scene->tail && !scene->head.fixed &&
+        if (has_completed(summary) && summary.net_displacement_m && scene && scene->tail && scene->head.is_free() &&
             scene->field.period_s() > 0.)
           points.push_back({scene->tail->young_modulus_Pa, scene->head.magnetization_A_m, 1. / scene->field.period_s(),
                             *summary.net_displacement_m});

@@ -69,7 +69,7 @@ namespace swimtwin
     {
       const auto &[scene, summary] = std::tie(entry.run.scene, entry.run.record.summary);
       const bool        balanced   = has_full_period(summary) && summary.power_imbalance;
-      const bool        swam       = has_full_period(summary) && !(scene && scene->head.fixed);
+      const bool        swam       = has_full_period(summary) && !(scene && !scene->head.is_free());
       const bool        periodic   = scene && scene->field.period_s() > 0.;
       const std::string none       = "–";
       return {{entry.run.name, target_of(entry, page_folder)},

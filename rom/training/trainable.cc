@@ -30,7 +30,8 @@ namespace swimtwin
             "run it with simulate, which is fast for a rigid body");
     require(scene, scene.fluid.has_value(), "it has no [fluid], and the reduced swimmer is driven by resistance",
             "add [fluid] and [domain]");
-    require(scene, !scene.head.fixed, "[head] motion = \"fixed\", and the reduced swimmer swims", "set it to \"free\"");
+    require(scene, scene.head.is_free(), "[head] motion that is not \"free\", and the reduced swimmer swims",
+            "set it to \"free\"");
     require(scene, scene.tail->law == MaterialModel::st_venant_kirchhoff,
             "[tail] law is not \"st-venant-kirchhoff\", the only one whose energy is a polynomial of the modes",
             "change the law");

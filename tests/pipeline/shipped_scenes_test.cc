@@ -17,12 +17,15 @@ namespace swimtwin
       return names;
     }
 
-    /// A few steps on coarse meshes: of a periodic field 2 of its first 20 steps, without one all that there are, and
-    /// with inertia the first five.
+    /// Its own quick size; else a few steps on coarse meshes: of a periodic field 2 of its first 20 steps, without one
+    /// all that there are, and with inertia the first five.
     ShrunkScene shrunk(const std::string &name)
     {
+      const std::filesystem::path file = std::filesystem::path(places::scenes) / (name + ".toml");
+      if (content(file).find("[variants.quick]") != std::string::npos)
+        return {name, {"variant=quick"}};
       const ShrunkScene whole{name, {"numerics.mesh_growth=0.6"}};
-      const Scene       scene = read_scene(std::filesystem::path(places::scenes) / (name + ".toml"));
+      const Scene       scene = read_scene(file);
       if (scene.field.period_s() > 0.)
         return whole.with({"time.periods=0.1", "time.steps_per_period=20"});
       if (scene.time.is_steady)

@@ -315,18 +315,20 @@ namespace swimtwin
 
   TEST(SceneRules, PeriodicFieldsCountPeriods)
   {
-    expect_refused({"time.duration_s=1"},
-                   "[time] duration_s = 1 does not go with a periodic field; give periods and steps_per_period.");
-    expect_refused(without(swimmer_toml, "periods = 3\n"), {}, "[time] periods is missing; with a periodic field");
+    expect_refused(
+        {"time.duration_s=1"},
+        "[time] duration_s = 1 does not go with a periodic field or motion; give periods and steps_per_period.");
+    expect_refused(without(swimmer_toml, "periods = 3\n"), {},
+                   "[time] periods is missing; with a periodic field or motion");
     expect_refused(without(swimmer_toml, "steps_per_period = 100\n"), {}, "[time] steps_per_period is missing");
   }
 
   TEST(SceneRules, OtherScenesHaveADuration)
   {
     expect_refused(beam_toml, {"time.periods=1"},
-                   "[time] periods = 1 needs a periodic field; give duration_s and steps.");
+                   "[time] periods = 1 needs a periodic field or motion; give duration_s and steps.");
     expect_refused(without(beam_toml, "duration_s = 1.0\n"), {},
-                   "[time] duration_s is missing; without a periodic field");
+                   "[time] duration_s is missing; without a periodic field or motion");
     expect_refused(without(beam_toml, "steps = 10\n"), {}, "[time] steps is missing");
     expect_accepted(beam_toml, {"field={waveform=\"constant\", bx_T=0.01, by_T=0.0}"});
   }
@@ -363,5 +365,27 @@ namespace swimtwin
                    "use \"off\", or coupling = \"monolithic\".");
     expect_accepted(swimmer_toml, on + aligned);
     expect_refused({"numerics.symmetric_half=half"}, "symmetric_half");
+  }
+
+  TEST(SceneRules, GivenMotionsStandWhereTheyAreAskedFor)
+  {
+    const std::string oscillation = "head.oscillation={frequency_Hz=1.0, amplitude_m=[1e-3,0]}";
+    const std::string wave        = "tail.wave={angle_rad=0.5, frequency_Hz=1.0}";
+    expect_refused({"head.motion=\"prescribed\""},
+                   "[head] oscillation is missing; [head] motion = \"prescribed\" needs its motion.");
+    expect_refused({oscillation}, "is not used; set [head] motion = \"prescribed\", or remove it.");
+    expect_refused({"tail.law=\"prescribed\""}, "[tail] wave is missing");
+    expect_refused({wave}, "is not used; set [tail] law = \"prescribed\", or remove it.");
+    expect_refused({"head.motion=\"prescribed\"", "head.oscillation={amplitude_m=[1e-3,0]}"},
+                   "frequency_Hz is missing");
+    expect_accepted(swimmer_toml, {"head.motion=\"prescribed\"", oscillation});
+    expect_accepted(swimmer_toml, {"tail.law=\"prescribed\"", wave});
+  }
+
+  TEST(SceneRules, GivenShapesNeedRoomInTheFluid)
+  {
+    const Overrides waving{"tail.law=\"prescribed\"", "tail.wave={angle_rad=0.5, frequency_Hz=1.0}"};
+    expect_refused(waving + in_a_disc, "without a traction-free wall");
+    expect_refused(waving + Overrides{"numerics.tail_order=1"}, "is for an elastic tail");
   }
 } // namespace swimtwin

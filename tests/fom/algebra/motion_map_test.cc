@@ -109,6 +109,31 @@ namespace swimtwin
       EXPECT_NEAR(rows[small.map.head_row(k)], k < dim ? U[k] : omega[k - dim], rounding) << "the head's own row";
   }
 
+  // A held head whose motion is given moves its nodes as a free one that has this motion, and a given shape adds to it.
+  TYPED_TEST(MotionMapTest, GivenMotionIsThatOfAFreeHeadWithTheSameVelocities)
+  {
+    constexpr int        dim = TestFixture::dimension;
+    SmallMap<dim>        free, held(false);
+    const Tensor<1, dim> shape_rate = free.random.template vector<dim>();
+    std::vector<double>  unknowns(free.map.n_unknowns(), 0.);
+    for (int k = 0; k < n_rigid<dim>; ++k)
+    {
+      const double value                          = free.random();
+      unknowns[free.map.first_head_unknown() + k] = k < dim ? value : value * length_scale;
+      held.map.give(held.map.head_row(k), value);
+    }
+    for (unsigned int c = 0; c < dim; ++c)
+      held.map.give(held.row(2, c), shape_rate[c]); // tied to a clamped node
+    held.map.set_rotation(held.rotation);
+    const auto expected = free.map.expand(unknowns);
+    const auto rows     = held.map.expand(std::vector<double>(held.map.n_unknowns(), 0.));
+    for (const unsigned int node : {1, 3, 4, 5, 6, 7, 8})
+      EXPECT_LE((held.at(rows, node) - free.at(expected, node)).norm(), rounding) << "node " << node;
+    EXPECT_LE((held.at(rows, 2) - free.at(expected, 2) - shape_rate).norm(), rounding);
+    for (int k = 0; k < n_rigid<dim>; ++k)
+      EXPECT_NEAR(rows[held.map.head_row(k)], expected[free.map.head_row(k)], rounding);
+  }
+
   TYPED_TEST(MotionMapTest, TiedRowsAreTheMeanOfTheirMasters)
   {
     constexpr int dim = TestFixture::dimension;

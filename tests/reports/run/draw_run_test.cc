@@ -92,7 +92,7 @@ namespace swimtwin
   TEST_F(DrawRun, FixedHeadHasNoPath)
   {
     const EmptyPath no_programs;
-    scene.head.fixed = true;
+    scene.head.motion = HeadMotion::fixed;
     draw();
     EXPECT_EQ(scripts(folder.path), (Names{"angles", "power_balance", "shapes"}));
   }
@@ -124,7 +124,7 @@ namespace swimtwin
     }
     expect_drawn(3);
     scene.tail.reset();
-    scene.head.fixed = true;
+    scene.head.motion = HeadMotion::fixed;
     expect_drawn(0);
     trajectory.resize(1);
     expect_drawn(0);
