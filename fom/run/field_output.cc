@@ -3,6 +3,7 @@
 #include <datasets/files/output_folder.h>
 
 #include <deal.II/base/data_out_base.h>
+#include <fmt/format.h>
 
 #include <cstdio>
 #include <functional>
@@ -84,10 +85,8 @@ namespace swimtwin
     std::filesystem::create_directories(folder_);
   }
 
-  void FieldOutput::write_series(const std::string &name, std::vector<std::pair<double, std::string>> &series,
-                                 const std::string &file, const double time)
+  void FieldOutput::write_list(const std::string &name, const Series &series) const
   {
-    series.emplace_back(time, file);
     std::ostringstream pvd;
     DataOutBase::write_pvd_record(pvd, series);
     write_text_atomically(folder_ / (name + ".pvd"), pvd.str());
@@ -95,14 +94,17 @@ namespace swimtwin
 
   void FieldOutput::adopt(const unsigned int n_instants, const double interval_s)
   {
-    for (auto *series : {&fluid_series_, &tail_series_})
+    for (const auto &[name, series] : {std::pair("fluid", &fluid_series_), std::pair("tail", &tail_series_)})
     {
-      const std::string name = series == &fluid_series_ ? "fluid-" : "tail-";
+      const auto file_of = [name = name](const unsigned int index) {
+        return fmt::format("{}-{}.vtu", name, file_number(index));
+      };
       for (unsigned int index = 0; index < n_instants; ++index)
-        if (const std::string file = name + file_number(index) + ".vtu"; std::filesystem::exists(folder_ / file))
-          series->emplace_back(index * interval_s, file);
-      for (unsigned int index = n_instants; std::filesystem::remove(folder_ / (name + file_number(index) + ".vtu"));
-           ++index)
+        if (std::filesystem::exists(folder_ / file_of(index)))
+          series->emplace_back(index * interval_s, file_of(index));
+      if (std::filesystem::exists(folder_ / (std::string(name) + ".pvd")))
+        write_list(name, *series); // before the files that it must not name any more are gone
+      for (unsigned int index = n_instants; std::filesystem::remove(folder_ / file_of(index)); ++index)
         ;
     }
   }
@@ -129,7 +131,8 @@ namespace swimtwin
            },
            "pressure_Pa",
            [&](const int vertex) { return fluid.pressure_scale() * values[numbering.pressure_index(vertex)]; }});
-      write_series("fluid", fluid_series_, file, instant.time_s);
+      fluid_series_.emplace_back(instant.time_s, file);
+      write_list("fluid", fluid_series_);
     }
     if (instant.swimmer.has_tail())
     {
@@ -138,7 +141,8 @@ namespace swimtwin
       const std::string file = "tail-" + number + ".vtu";
       write_vtu(folder_ / file, instant.swimmer.tail().mesh, x,
                 {"displacement_m", [&](const int node) { return x[node] - rest[node]; }, "", {}});
-      write_series("tail", tail_series_, file, instant.time_s);
+      tail_series_.emplace_back(instant.time_s, file);
+      write_list("tail", tail_series_);
     }
   }
 } // namespace swimtwin

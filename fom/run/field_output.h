@@ -35,10 +35,12 @@ namespace swimtwin
     void adopt(unsigned int n_instants, double interval_s);
 
   private:
-    void write_series(const std::string &name, std::vector<std::pair<double, std::string>> &series,
-                      const std::string &file, double time);
+    using Series = std::vector<std::pair<double, std::string>>; // times and files
 
-    std::filesystem::path                       folder_;
-    std::vector<std::pair<double, std::string>> fluid_series_, tail_series_;
+    /// `name`.pvd.
+    void write_list(const std::string &name, const Series &series) const;
+
+    std::filesystem::path folder_;
+    Series                fluid_series_, tail_series_;
   };
 } // namespace swimtwin
