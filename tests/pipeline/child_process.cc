@@ -5,9 +5,11 @@
 #include <sys/wait.h>
 
 #include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <csignal>
 #include <fcntl.h>
+#include <sstream>
 #include <thread>
 #include <unistd.h>
 
@@ -59,6 +61,24 @@ namespace swimtwin
     ::kill(pid_, SIGKILL);
     wait();
     return true;
+  }
+
+  std::vector<pid_t> ChildProcess::children() const
+  {
+    std::vector<pid_t> found;
+    std::error_code    ignored; // processes come and go
+    for (std::filesystem::directory_iterator entry("/proc", ignored), end; entry != end; entry.increment(ignored))
+      if (const std::string name = entry->path().filename().string(); std::isdigit(static_cast<unsigned char>(name[0])))
+      {
+        const std::string  stat = content(entry->path() / "stat"); // number (name) state parent ...
+        std::istringstream rest(stat.substr(std::min(stat.rfind(')') + 1, stat.size())));
+        std::string        state;
+        pid_t              parent = 0;
+        if (rest >> state >> parent && parent == pid_ && state != "Z")
+          found.push_back(std::stoi(name));
+      }
+    std::sort(found.begin(), found.end());
+    return found;
   }
 
   Outcome ChildProcess::wait()

@@ -29,6 +29,8 @@ namespace swimtwin
 
     /// kill -9, and wait until it is gone. False if it had ended by itself.
     bool kill();
+    /// The processes that it has started itself and that still run, the oldest first.
+    std::vector<pid_t> children() const;
     /// Wait for its end.
     Outcome wait();
     /// Wait until something is so; false if the process ends before, or a minute passes.

@@ -1,6 +1,7 @@
 #include <tests/pipeline/simulation.h>
 #include <tests/places.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <iostream>
 
@@ -8,7 +9,7 @@ namespace swimtwin
 {
   namespace
   {
-    Outcome run_on_two_ranks(const std::vector<std::string> &arguments)
+    std::vector<std::string> words_for_two_ranks(const std::vector<std::string> &arguments)
     {
       // Open MPI: allow root, more ranks than cores, and let ranks that wait give their core away.
       setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
@@ -17,7 +18,12 @@ namespace swimtwin
       std::vector<std::string> words{"mpirun", "--oversubscribe", "-n", "2"};
       for (const auto &word : tool(arguments))
         words.push_back(word);
-      return run(words);
+      return words;
+    }
+
+    Outcome run_on_two_ranks(const std::vector<std::string> &arguments)
+    {
+      return run(words_for_two_ranks(arguments));
     }
 
     Outcome simulate_on_two_ranks(const ShrunkScene &scene, const std::filesystem::path &folder)
@@ -55,6 +61,33 @@ namespace swimtwin
       std::cout << inertia << ", two ranks against one: " << difference << " body lengths" << std::endl;
       EXPECT_LE(difference, 1e-8);
       EXPECT_LE(largest_angle_difference(one.trajectory, two.trajectory), 1e-8);
+    }
+  }
+
+  // The other one waits for what never comes: mpirun ends it, and what the writer kept is enough to go on.
+  TEST(Ranks, AMissingRankEndsTheRunWhichGoesOnFromItsCheckpoint)
+  {
+    const ShrunkScene scene = coarse_swimmer(40, 0.5).with({"numerics.linear_tolerance=1e-11"});
+    const Motion      whole = simulate(scene);
+    for (const std::size_t missing : {0, 1})
+    {
+      const TemporaryFolder folder;
+      const auto            run = folder.path / "run";
+      {
+        ChildProcess process(words_for_two_ranks(simulate_arguments(scene, run)));
+        ASSERT_TRUE(process.wait_for_file(run / "checkpoint.h5"));
+        const auto ranks = process.children();
+        ASSERT_EQ(ranks.size(), 2u);
+        ASSERT_EQ(::kill(ranks[missing], SIGKILL), 0);
+        EXPECT_FALSE(process.wait_until([] { return false; })); // ends by itself, or after a minute
+        ASSERT_TRUE(process.children().empty());
+        EXPECT_NE(process.wait().exit_code, 0);
+      }
+      EXPECT_FALSE(std::filesystem::exists(run / "summary.json"));
+      const Outcome resumed = run_on_two_ranks(simulate_arguments(scene, run, {"--resume"}));
+      EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+      EXPECT_LE(distance(read_motion(run).trajectory, whole.trajectory), 1e-8);
+      EXPECT_EQ(n_files(run), 3u);
     }
   }
 

@@ -199,15 +199,26 @@ namespace swimtwin
     expect_failure(run_tool(simulate_arguments(scene, folder.path, {"--resume"})), 2, {"checkpoint.h5", "--force"});
   }
 
-  TEST(Resume, ACheckpointWithOneChangedBitOrACutEndIsRefused)
+  TEST(Resume, ACheckpointThatIsDamagedAnywhereIsRefused)
   {
     const TemporaryFolder folder;
     const auto            run = folder.path / "run";
     interrupt(scene, run, Moment::after_first_checkpoint);
-    const std::string whole   = content(run / "checkpoint.h5");
-    std::string       changed = whole;
-    changed[whole.size() / 2] ^= 4;
-    for (const std::string &text : {changed, whole.substr(0, whole.size() / 2), whole.substr(0, whole.size() - 1)})
+    const std::string        whole = content(run / "checkpoint.h5");
+    const std::size_t        n     = whole.size();
+    std::vector<std::string> damaged{"", std::string(n, '\0'), whole + "x", whole + whole};
+    for (const std::size_t at : {std::size_t(0), std::size_t(9), std::size_t(40), n / 3, n / 2, n - 100, n - 40, n - 1})
+    {
+      damaged.push_back(whole);
+      damaged.back()[at] ^= 4;
+      damaged.push_back(whole.substr(0, at));
+    }
+    for (const std::size_t at : {std::size_t(512), n / 2}) // a block that was never written, or twice
+    {
+      damaged.push_back(std::string(whole).replace(at, 512, std::string(512, '\0')));
+      damaged.push_back(std::string(whole).insert(at, whole.substr(at, 512)));
+    }
+    for (const std::string &text : damaged)
     {
       std::ofstream(run / "checkpoint.h5", std::ios::binary) << text;
       expect_failure(run_tool(simulate_arguments(scene, run, {"--resume"})), 2, {"checkpoint.h5", "--force"});
