@@ -67,10 +67,10 @@ namespace swimtwin
     return periods;
   }
 
-  double largest_expected_imbalance(const int steps_per_period)
+  double largest_expected_imbalance(const int steps_per_period, const bool has_inertia)
   {
-    const double ratio = 100. / steps_per_period;
-    return std::clamp(0.005 * ratio * ratio, 0.001, 0.05);
+    const double ratio = 100. / steps_per_period, of_100_steps = has_inertia ? 0.0016 : 0.005;
+    return std::clamp(of_100_steps * ratio * ratio, 0.001, 0.05);
   }
 
   std::optional<std::size_t> worst_period(const std::vector<WorkBalance> &periods)

@@ -26,8 +26,9 @@ namespace swimtwin
                                                    std::span<const IntervalWork> first_intervals = {});
 
   /// Imbalance that a smooth motion may have at so many steps per period: the balance is of second order in the step.
-  /// 0.5 % (100/n)^2, at least 0.1 % and at most 5 %.
-  double largest_expected_imbalance(int steps_per_period);
+  /// 0.5 % (100/n)^2, at least 0.1 % and at most 5 %. With inertia a third of that: motion is then off by a hundredth
+  /// of the body length where the balance is open by 1 % (docs/stress.md).
+  double largest_expected_imbalance(int steps_per_period, bool has_inertia = false);
 
   /// The period whose imbalance is largest, counted from 0; none if no period has one.
   std::optional<std::size_t> worst_period(const std::vector<WorkBalance> &periods);

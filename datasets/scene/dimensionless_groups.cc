@@ -10,6 +10,14 @@
 
 namespace swimtwin
 {
+  namespace
+  {
+    double mean_height_m(const Tail &tail)
+    {
+      return .5 * (tail.root_height_m + tail.tip_height_m);
+    }
+  } // namespace
+
   double unsteady_group(const Scene &scene, const double frequency_Hz, const double viscosity_Pa_s)
   {
     const double L = scene.body_length_m();
@@ -64,11 +72,25 @@ namespace swimtwin
            (scene.fluid->viscosity_Pa_s * L * L);
   }
 
+  MagneticSwing magnetic_swing(const Scene &scene)
+  {
+    if (!scene.fluid || scene.time.period_s <= 0.)
+      return {};
+    const double pi = std::numbers::pi, L = scene.body_length_m(), group = magnetic_group(scene);
+    const double mass =
+        scene.head.density_kg_m3 * scene.head.area_m2() +
+        (scene.tail ? scene.tail->density_kg_m3 * scene.tail->length_m * mean_height_m(*scene.tail) : 0.);
+    const double inertia = mass * L * L / 12. + pi * scene.fluid->density_kg_m3 * std::pow(L, 4) / 128.;
+    const double torque  = std::abs(group) * scene.fluid->viscosity_Pa_s * L * L / scene.time.period_s;
+    const double rate    = std::sqrt(torque / inertia);
+    return {rate, rate > 0. ? .5 * pi * scene.fluid->viscosity_Pa_s * L * L / (2. * inertia * rate) : 0.};
+  }
+
   double elastic_group(const Scene &scene, const double frequency_Hz, const double viscosity_Pa_s,
                        const double young_modulus_Pa)
   {
     const Tail  &tail = *scene.tail;
-    const double h    = .5 * (tail.root_height_m + tail.tip_height_m);
+    const double h    = mean_height_m(tail);
     return young_modulus_Pa * std::pow(h / tail.length_m, 3) /
            (12. * (1. - tail.poisson_ratio * tail.poisson_ratio) * viscosity_Pa_s * frequency_Hz);
   }

@@ -15,6 +15,16 @@ namespace swimtwin
   double largest_imposed_speed_m_s(const Scene &scene);
   /// A sentence if inertia is neglected without the scene having said so, and is not small; else empty.
   std::string inertia_warning(const Scene &scene);
+  /// How the swimmer swings about the field's direction by itself when it is turned away and let go: as a rigid plate
+  /// of its length, with the fluid that a plate takes along (pi rho L^4 / 128) and its viscous torque per rate (pi mu
+  /// L^2 / 2).
+  struct MagneticSwing
+  {
+    double rate_rad_s    = 0.; ///< undamped; zero where nothing turns it
+    double damping_ratio = 0.; ///< from 1 on it does not swing
+  };
+  MagneticSwing magnetic_swing(const Scene &scene);
+
   /// Magnetic torque against the viscous torque of a turn per period: M A B / (mu f L^2), and the elastic group
   /// E h^3 / (12 (1 - nu^2) mu f L^3) with the tail's mean height h. Zero where the scene lacks what they need.
   double magnetic_group(const Scene &scene);

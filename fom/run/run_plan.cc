@@ -1,5 +1,6 @@
 #include <fom/run/run_plan.h>
 
+#include <datasets/scene/dimensionless_groups.h>
 #include <datasets/scene/inertia_terms.h>
 #include <datasets/scene/mirror_plane.h>
 #include <fom/algebra/solver_memory.h>
@@ -8,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -28,12 +30,44 @@ namespace swimtwin
     constexpr double iterations_per_step = 1.5;
     constexpr double n_unknowns_measured = 210e3; ///< docs/stress.md
 
+    /// Of the tail's tip when the swimmer follows the field's direction.
+    double speed_of_swing(const Scene &scene)
+    {
+      constexpr int n_instants = 64;
+      if (scene.head.fixed || scene.head.magnetization_A_m == 0. || scene.time.period_s <= 0.)
+        return 0.;
+      double most = 0., least = 0.;
+      for (int i = 0; i < n_instants; ++i)
+      {
+        const auto   field = scene.field(i * scene.time.period_s / n_instants);
+        const double angle = std::atan2(field[1], field[0]);
+        most = std::max(most, angle), least = std::min(least, angle);
+      }
+      return std::numbers::pi * (most - least) * scene.body_length_m() / scene.time.period_s;
+    }
+
+    /// A swimmer that the field throws about rather than turns.
+    void warn_of_swing(const Scene &scene, RunPlan &plan)
+    {
+      constexpr double swings = 0.4, longest_step_rad = 1.25, good_step_rad = 0.6;
+      const auto [rate, damping_ratio] = magnetic_swing(scene);
+      const double step_rad            = rate * scene.time.time_step_s();
+      if (scene.head.fixed || damping_ratio > swings || step_rad < longest_step_rad)
+        return;
+      plan.warnings.push_back(fmt::format(
+          "inertia lets the swimmer swing about the field at {:.3g} Hz by itself, which {:.2g} steps per swing do not "
+          "follow; raise [time] steps_per_period to {:.0f}",
+          rate / (2. * std::numbers::pi), 2. * std::numbers::pi / step_rad,
+          std::ceil(scene.time.steps_per_period * step_rad / good_step_rad)));
+    }
+
     /// Scenes whose inertia the scheme may not hold.
     void warn_of_inertia(const Scene &scene, RunPlan &plan)
     {
       constexpr double largest_cell_reynolds_number = 200., largest_way_per_step = 0.2, far_enough = 2.5;
       const auto      &fluid = *scene.fluid;
-      const double     speed = largest_imposed_speed_m_s(scene), L = scene.body_length_m();
+      const double     L     = scene.body_length_m();
+      const double     speed = std::max(largest_imposed_speed_m_s(scene), speed_of_swing(scene));
       if (const double cell = fluid.density_kg_m3 * speed * scene.numerics.mesh_size_far_m / fluid.viscosity_Pa_s;
           cell > largest_cell_reynolds_number)
         plan.warnings.push_back(
@@ -52,6 +86,7 @@ namespace swimtwin
             fmt::format("the outer wall moves along with the swimmer, which the fluid's inertia feels at "
                         "{:g} m: vorticity reaches {:.2g} m beyond the body; enlarge [domain] radius_m",
                         scene.domain->radius_m, penetration));
+      warn_of_swing(scene, plan);
     }
 
     void plan_inertia(const Scene &scene, RunPlan &plan, const double unsteady_group)

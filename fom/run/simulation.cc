@@ -200,7 +200,7 @@ namespace swimtwin
       std::string open_balance_warning(const std::vector<WorkBalance> &balances) const
       {
         const auto   worst = worst_period(balances);
-        const double bound = largest_expected_imbalance(scene_.time.steps_per_period);
+        const double bound = largest_expected_imbalance(scene_.time.steps_per_period, inertia_terms(scene_).any());
         if (!worst || std::abs(*balances[*worst].imbalance()) <= bound)
           return {};
         return fmt::format(

@@ -62,5 +62,7 @@ namespace swimtwin
     EXPECT_NEAR(largest_expected_imbalance(50), 0.02, 1e-15);
     EXPECT_EQ(largest_expected_imbalance(10), 0.05);
     EXPECT_EQ(largest_expected_imbalance(10000), 0.001);
+    EXPECT_NEAR(largest_expected_imbalance(100, true), 0.0016, 1e-15);
+    EXPECT_NEAR(largest_expected_imbalance(40, true), 0.01, 1e-15);
   }
 } // namespace swimtwin

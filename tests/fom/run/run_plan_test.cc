@@ -37,6 +37,23 @@ namespace swimtwin
               "coupling = \"fixed-point\" does not use it");
   }
 
+  TEST(RunPlan, WarnsOfInertiaThatTheStepsDoNotFollow)
+  {
+    const auto warnings = [](const std::string &viscosity, const std::string &steps) {
+      const std::vector<std::string> settings = {"fluid.inertia=full", "fluid.viscosity_Pa_s=" + viscosity,
+                                                 "time.steps_per_period=" + steps, "numerics.mesh_growth=0.6"};
+      std::string                    text;
+      for (const auto &warning : plan_run(shipped_scene("reference-2d-casefile", settings), MPI_COMM_WORLD).warnings)
+        text += warning + "\n";
+      return text;
+    };
+    expect_in(warnings("0.015", "40"), "inertia lets the swimmer swing about the field at ");
+    expect_in(warnings("0.015", "40"), "raise [time] steps_per_period to ");
+    EXPECT_EQ(warnings("0.015", "200"), "");
+    EXPECT_EQ(warnings("1.52", "40"), "");
+    expect_in(warnings("1e-4", "400"), "the Reynolds number of a cell is up to ");
+  }
+
   TEST(RunPlan, WarnsOfASymmetricMotionThatMayBeUnstable)
   {
     const std::vector<std::string> compressed = {on_axis, "gravity.acceleration_m_s2=[9.81, 0.0]"};
