@@ -40,6 +40,17 @@ namespace swimtwin
                                     options.frequency_Hz.low, options.frequency_Hz.high));
     }
 
+    /// Beyond it a way is no plan but a mistake in the unit, and its search would not end.
+    void require_reach(const TomlDocument &document, const TargetGoal &goal, const double body_length_m)
+    {
+      constexpr double farthest = 1e4; // body lengths
+      const double     distance = (goal.target_m - goal.start.head<2>()).norm() / body_length_m;
+      if (distance > farthest)
+        document.refuse(
+            "target", "position_m",
+            fmt::format("is {:.3g} body lengths away; at most {:g} are possible: give it in m.", distance, farthest));
+    }
+
     /// On the straight way from the start: neither a wall in between, nor one too near.
     void require_free_way(const TomlDocument &document, const TargetGoal &goal, const Scene &scene)
     {
@@ -128,6 +139,7 @@ namespace swimtwin
     if (!document.find("target"))
       document.refuse("target", "position_m", "is missing; give position_m = [x, y], x ahead and y to the left.");
     read_target(document, goal);
+    require_reach(document, goal, swimmer.length_m());
     require_free_way(document, goal, scene);
     require_known_heading(document, goal, model);
     keep_slew_rate(document, goal);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <hdf5.h>
 
+#include <algorithm>
 #include <array>
 #include <type_traits>
 #include <utility>
@@ -54,6 +55,44 @@ namespace swimtwin
     std::string padded(const std::string &text)
     {
       return text.empty() ? std::string(1, '\0') : text;
+    }
+
+    /// Whether a file can hold what one of its objects claims to be: a damaged one may claim any size. Filters shrink
+    /// values by a thousand at most.
+    bool can_hold(const hid_t object, const hsize_t stored_bytes, const hsize_t n, const hsize_t value_bytes,
+                  const bool has_filters)
+    {
+      constexpr hsize_t highest_ratio = 1100; // above that of deflate
+      const Hdf5Handle  file(H5Iget_file_id(object), H5Fclose);
+      hsize_t           file_bytes = 0;
+      H5Fget_filesize(file.id(), &file_bytes);
+      const hsize_t bytes = std::min(stored_bytes, file_bytes) * (has_filters ? highest_ratio : 1);
+      return value_bytes == 0 || n <= bytes / value_bytes;
+    }
+
+    bool is_stored(const hid_t data, const hid_t space, const hid_t type)
+    {
+      const Hdf5Handle layout(H5Dget_create_plist(data), H5Pclose);
+      return can_hold(data, H5Dget_storage_size(data), static_cast<hsize_t>(H5Sget_simple_extent_npoints(space)),
+                      H5Tget_size(type), H5Pget_nfilters(layout.id()) > 0);
+    }
+
+    /// Whether an attribute is a single value, and no larger than its file.
+    bool is_single(const hid_t attribute, const hid_t type)
+    {
+      const Hdf5Handle space(H5Aget_space(attribute), H5Sclose);
+      return H5Sget_simple_extent_npoints(space.id()) == 1 &&
+             can_hold(attribute, H5Aget_storage_size(attribute), 1, H5Tget_size(type), false);
+    }
+
+    bool is_text(const hid_t type)
+    {
+      return H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) == 0;
+    }
+
+    bool is_number(const hid_t type)
+    {
+      return H5Tget_class(type) == H5T_FLOAT || H5Tget_class(type) == H5T_INTEGER;
     }
 
     std::string without_padding(std::string text)
@@ -219,6 +258,9 @@ namespace swimtwin
     if (H5Sget_simple_extent_ndims(space.id()) != static_cast<int>(rank))
       refuse(path, fmt::format("is not an array of {} dimension{}.", rank, rank == 1 ? "" : "s"));
 
+    if (!is_stored(data.id(), space.id(), type.id()))
+      refuse(path, "claims more values than the file holds; the file is damaged.");
+
     std::vector<hsize_t> sizes(rank);
     H5Sget_simple_extent_dims(space.id(), sizes.data(), nullptr);
     extents.assign(sizes.begin(), sizes.end());
@@ -263,11 +305,13 @@ namespace swimtwin
   std::string Hdf5Reader::read_text(const std::string &path) const
   {
     const Hdf5Handle data = open(path);
-    const Hdf5Handle type(H5Dget_type(data.id()), H5Tclose);
-    std::string      text(H5Tget_size(type.id()), '\0');
-    if (H5Tget_class(type.id()) != H5T_STRING || H5Tis_variable_str(type.id()) > 0 ||
-        H5Dread(data.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()) < 0)
+    const Hdf5Handle type(H5Dget_type(data.id()), H5Tclose), space(H5Dget_space(data.id()), H5Sclose);
+    if (!is_text(type.id()) || H5Sget_simple_extent_npoints(space.id()) != 1 ||
+        !is_stored(data.id(), space.id(), type.id()))
       refuse(path, "does not hold a text.");
+    std::string text(H5Tget_size(type.id()), '\0');
+    if (H5Dread(data.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()) < 0)
+      refuse(path, "cannot be read; the file is damaged.");
     return without_padding(text);
   }
 
@@ -278,9 +322,10 @@ namespace swimtwin
     if (attribute.id() < 0)
       refuse(path, fmt::format("has no attribute {}.", name));
     const Hdf5Handle type(H5Aget_type(attribute.id()), H5Tclose);
-    std::string      text(H5Tget_size(type.id()), '\0');
-    if (H5Tget_class(type.id()) != H5T_STRING || H5Tis_variable_str(type.id()) > 0 ||
-        H5Aread(attribute.id(), type.id(), text.data()) < 0)
+    if (!is_text(type.id()) || !is_single(attribute.id(), type.id()))
+      refuse(path, fmt::format("has an attribute {} that is not a text.", name));
+    std::string text(H5Tget_size(type.id()), '\0');
+    if (H5Aread(attribute.id(), type.id(), text.data()) < 0)
       refuse(path, fmt::format("has an attribute {} that is not a text.", name));
     return without_padding(text);
   }
@@ -291,8 +336,10 @@ namespace swimtwin
                                H5Aclose);
     if (attribute.id() < 0)
       refuse(path, fmt::format("has no attribute {}.", name));
-    double value = 0.;
-    if (H5Aread(attribute.id(), H5T_NATIVE_DOUBLE, &value) < 0)
+    const Hdf5Handle type(H5Aget_type(attribute.id()), H5Tclose);
+    double           value = 0.;
+    if (!is_number(type.id()) || !is_single(attribute.id(), type.id()) ||
+        H5Aread(attribute.id(), H5T_NATIVE_DOUBLE, &value) < 0)
       refuse(path, fmt::format("has an attribute {} that is not a number.", name));
     return value;
   }

@@ -102,6 +102,10 @@ namespace swimtwin
                                           : fmt::format("is not JSON (byte {} of {})", error.byte, text.size()),
                                    remedy));
     }
+    catch (const Json::exception &) // out_of_range: 1e999
+    {
+      throw InputError(fmt::format("{} holds a number that is too large to be read; {}.", file.string(), remedy));
+    }
   }
 
   void write_json_file(const std::filesystem::path &file, const Json &json)

@@ -18,8 +18,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <concepts>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -93,16 +95,31 @@ namespace swimtwin
 
   /// The way back. Throws InputError that says what an object lacks or has of the wrong kind, without a subject: "lacks
   /// the entry status", "has an entry status of the wrong kind"; outside objects, nlohmann's exception.
+  template <std::integral Type>
+  Type whole_number(const Json &json)
+  {
+    const double number = json.get<double>();
+    const bool   fits   = number >= static_cast<double>(std::numeric_limits<Type>::lowest()) &&
+                      number < 2. * static_cast<double>(std::numeric_limits<Type>::max() / 2 + 1);
+    if (!fits || number != std::floor(number))
+      throw InputError("has a number that is not whole, or too large, where a count is needed");
+    return json.is_number_float() ? static_cast<Type>(number) : json.get<Type>();
+  }
+
   void read_json(const Json &json, double &value);
   void read_json(const Json &json, std::string &text);
   void read_json(const Json &json, NamedNumbers &values);
   void read_json(const Json &json, std::map<std::string, double> &values);
   void read_json(const Json &json, Eigen::VectorXd &values);
   void read_json(const Json &json, Eigen::MatrixXd &rows);
+  /// A whole number that the type holds.
   template <std::integral Type>
   void read_json(const Json &json, Type &value)
   {
-    value = json.get<Type>();
+    if constexpr (std::same_as<Type, bool>)
+      value = json.get<bool>();
+    else
+      value = whole_number<Type>(json);
   }
   template <HasEntries Type>
   void read_json(const Json &json, Type &value);

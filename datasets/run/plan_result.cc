@@ -153,6 +153,8 @@ namespace swimtwin
     try
     {
       read_json(json, result);
+      if (result.replay && result.replay->fields.size() != 2)
+        throw InputError("has a replay of other than two fields");
     }
     catch (const InputError &problem)
     {

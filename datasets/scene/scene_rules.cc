@@ -279,6 +279,31 @@ namespace swimtwin
             fmt::format("m: the mesh size far away ({} m) is smaller than on the surface ({} m); enlarge it.",
                         numerics.mesh_size_far_m, numerics.mesh_size_m));
     }
+
+    /// About as many triangles as the fluid's mesh would have: of equal sides, which grow with the distance from the
+    /// body.
+    double expected_triangles(const Scene &scene)
+    {
+      const Numerics &sizes     = scene.numerics;
+      const double    area      = scene.domain->size_m[0] * scene.domain->size_m[1];
+      const double    perimeter = 2. * (scene.body_length_m() + scene.head.size_m[1]);
+      const double    near =
+          std::min(perimeter / (sizes.mesh_growth * sizes.mesh_size_m), area / (sizes.mesh_size_m * sizes.mesh_size_m));
+      const double shape = 0.25 * std::sqrt(3.); // area of such a triangle over the square of its side
+      return (near + area / (sizes.mesh_size_far_m * sizes.mesh_size_far_m)) / shape;
+    }
+
+    void check_mesh_extent(const TomlDocument &document, const Scene &scene)
+    {
+      constexpr double n_most = 1e7; // no machine has the memory for more
+      if (!scene.domain)
+        return;
+      if (const double n = expected_triangles(scene); !(n <= n_most))
+        document.refuse("numerics", has(document, "numerics", "mesh_size_far_m") ? "mesh_size_far_m" : "mesh_size_m",
+                        fmt::format("m would make a mesh of about {:.1g} triangles; at most {:.0e} are possible: "
+                                    "enlarge mesh_size_m and mesh_size_far_m, or make [domain] smaller.",
+                                    n, n_most));
+    }
   } // namespace
 
   void check_dimension(const TomlDocument &document, const int dimension)
@@ -379,5 +404,6 @@ namespace swimtwin
     check_symmetry(document, scene);
     check_time(document, scene);
     check_mesh_sizes(document, scene.numerics);
+    check_mesh_extent(document, scene);
   }
 } // namespace swimtwin

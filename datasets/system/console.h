@@ -8,6 +8,10 @@
 
 namespace swimtwin
 {
+  /// Text that may quote files of users, as a terminal may have it: what is not printable, which it would obey, is
+  /// written out (\x1B), and of an endless line the beginning and the end are left.
+  std::string displayable(std::string_view text);
+
   /// To standard output, at once. Never throws: what could not be written is remembered for finish_output().
   void say_text(std::string_view text);
 
@@ -19,7 +23,7 @@ namespace swimtwin
 
   /// To standard error as it is, at once. Never throws: where standard error cannot be written, nobody can be told.
   void mutter(std::string_view text);
-  /// "swimtwin: SENTENCE" on standard error.
+  /// "swimtwin: SENTENCE" on standard error, displayable.
   void remark(std::string_view sentence);
   /// "swimtwin: warning: SENTENCE" on standard error.
   void warn(std::string_view sentence);

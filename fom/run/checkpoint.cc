@@ -4,8 +4,13 @@
 #include <datasets/files/hdf5_file.h>
 #include <datasets/files/hdf5_open.h>
 
+#include <fmt/format.h>
+
 #include <array>
+#include <cmath>
+#include <limits>
 #include <sstream>
+#include <type_traits>
 
 namespace swimtwin
 {
@@ -92,6 +97,46 @@ namespace swimtwin
       }
     }
 
+    /// What this version asks of a file that is as it was written: one of another version may hold something else.
+    std::vector<double> read_numbers(const Hdf5Reader &file, const std::string &path, const std::size_t n)
+    {
+      std::vector<double> values = file.read_vector(path);
+      if (values.size() != n)
+        file.refuse(path, fmt::format("has {} values, and this version needs {}; {}.", values.size(), n,
+                                      remedy_for_checkpoint));
+      return values;
+    }
+
+    Eigen::MatrixXd read_rows(const Hdf5Reader &file, const std::string &path, const Eigen::Index n_columns)
+    {
+      Eigen::MatrixXd values = file.read_matrix(path);
+      if (values.rows() > 0 && values.cols() != n_columns)
+        file.refuse(path, fmt::format("has {} columns, and this version needs {}; {}.", values.cols(), n_columns,
+                                      remedy_for_checkpoint));
+      return values;
+    }
+
+    std::vector<unsigned int> read_indices(const Hdf5Reader &file, const std::string &path, const std::size_t end)
+    {
+      const std::vector<int> values = file.read_int_vector(path);
+      for (const int value : values)
+        if (value < 0 || static_cast<std::size_t>(value) >= end)
+          file.refuse(path, fmt::format("names entry {} of {}; {}.", value, end, remedy_for_checkpoint));
+      return indices(values);
+    }
+
+    /// Counts and flags are kept as numbers, too.
+    template <typename Value>
+    void read_value(const Hdf5Reader &file, const std::string &name, Value &value)
+    {
+      const double number = file.read_number_attribute("/", name);
+      const bool   fits =
+          std::abs(number) < std::numeric_limits<int>::max() && !(std::is_unsigned_v<Value> && number < 0.);
+      if (std::is_integral_v<Value> && !fits)
+        file.refuse("/", fmt::format("has {} = {}; {}.", name, number, remedy_for_checkpoint));
+      value = static_cast<Value>(number);
+    }
+
     /// Time, pose and rates of an instant in a fixed order.
     void write_instant(Hdf5Writer &file, const std::string &group, const Instant<2> &instant)
     {
@@ -110,13 +155,13 @@ namespace swimtwin
 
     Instant<2> read_instant(const Hdf5Reader &file, const std::string &group)
     {
-      const auto numbers = file.read_vector(group + "/numbers");
+      const auto numbers = read_numbers(file, group + "/numbers", 7);
       Instant<2> instant;
-      instant.time_s                    = numbers.at(0);
-      instant.configuration.pose.center = Point<2>(numbers.at(1), numbers.at(2));
-      instant.configuration.pose.angle  = numbers.at(3);
-      instant.rates.velocity            = Tensor<1, 2>({numbers.at(4), numbers.at(5)});
-      instant.rates.omega[0]            = numbers.at(6);
+      instant.time_s                    = numbers[0];
+      instant.configuration.pose.center = Point<2>(numbers[1], numbers[2]);
+      instant.configuration.pose.angle  = numbers[3];
+      instant.rates.velocity            = Tensor<1, 2>({numbers[4], numbers[5]});
+      instant.rates.omega[0]            = numbers[6];
       instant.configuration.shape       = nodal(file.read_vector(group + "/shape_m"));
       instant.rates.shape_rate          = nodal(file.read_vector(group + "/shape_rate_m_s"));
       return instant;
@@ -144,17 +189,20 @@ namespace swimtwin
     {
       FluidMeshRecord<2> mesh;
       mesh.soup.vertices = points(file.read_vector("/fluid_mesh/vertices_m"));
-      const auto cells   = file.read_int_vector("/fluid_mesh/cells");
+      const auto cells   = read_indices(file, "/fluid_mesh/cells", mesh.soup.vertices.size());
       for (unsigned int i = 0; i + 2 < cells.size(); i += 3)
-        mesh.soup.cells.push_back({unsigned(cells[i]), unsigned(cells[i + 1]), unsigned(cells[i + 2])});
+        mesh.soup.cells.push_back({cells[i], cells[i + 1], cells[i + 2]});
       mesh.nodes         = points(file.read_vector("/fluid_mesh/nodes_m"));
-      mesh.surface_nodes = indices(file.read_int_vector("/fluid_mesh/surface_nodes"));
-      mesh.wall_nodes    = indices(file.read_int_vector("/fluid_mesh/wall_nodes"));
+      mesh.surface_nodes = read_indices(file, "/fluid_mesh/surface_nodes", mesh.nodes.size());
+      mesh.wall_nodes    = read_indices(file, "/fluid_mesh/wall_nodes", mesh.nodes.size());
       std::istringstream names(file.read_text("/fluid_mesh/wall_names"));
       for (std::string name; std::getline(names, name);)
         mesh.wall_names.push_back(name);
       if (file.contains("/fluid_mesh/image_of_vertex"))
         mesh.image_of_vertex = indices(file.read_int_vector("/fluid_mesh/image_of_vertex"));
+      if (mesh.wall_names.size() != mesh.wall_nodes.size())
+        file.refuse("/fluid_mesh/wall_names", fmt::format("has {} names of {} nodes; {}.", mesh.wall_names.size(),
+                                                          mesh.wall_nodes.size(), remedy_for_checkpoint));
       return mesh;
     }
 
@@ -170,7 +218,7 @@ namespace swimtwin
     {
       std::vector<IntervalWork> works;
       for (const auto &row : rows)
-        works.push_back({row.at(0), row.at(1), row.at(2)});
+        works.push_back({row[0], row[1], row[2]});
       return works;
     }
 
@@ -268,9 +316,7 @@ namespace swimtwin
                        "written for, or start afresh with --force");
     Checkpoint checkpoint;
     auto      &model = checkpoint.model;
-    for_each_number(checkpoint, [&](const std::string &name, auto &value) {
-      value = static_cast<std::remove_reference_t<decltype(value)>>(file.read_number_attribute("/", name));
-    });
+    for_each_number(checkpoint, [&](const std::string &name, auto &value) { read_value(file, name, value); });
     model.now                      = read_instant(file, "/now");
     model.before                   = read_instant(file, "/before");
     model.coupling.unknowns        = file.read_vector("/unknowns");
@@ -280,19 +326,19 @@ namespace swimtwin
     for (const auto &[name, motion] : motions_of(model.fluid_past))
       if (file.contains(name))
         *motion = {points(file.read_vector(name + "/positions_m")), nodal(file.read_vector(name + "/velocity_m_s"))};
-    checkpoint.rows   = rows(file.read_matrix("/trajectory"));
+    checkpoint.rows   = rows(read_rows(file, "/trajectory", static_cast<Eigen::Index>(numbers_of({}).size())));
     checkpoint.shapes = rows(file.read_matrix("/shapes"));
     if (file.contains("/powers_W_m"))
     {
-      const auto powers = file.read_vector("/powers_W_m");
+      const auto powers = read_numbers(file, "/powers_W_m", 3);
       model.balance.emplace();
-      model.balance->magnetic      = powers.at(0);
-      model.balance->gravity       = powers.at(1);
-      model.balance->wall          = powers.at(2);
+      model.balance->magnetic      = powers[0];
+      model.balance->gravity       = powers[1];
+      model.balance->wall          = powers[2];
       model.balance->surface_force = file.read_vector("/surface_force_N_m");
     }
     if (file.contains("/first_works_J_m"))
-      checkpoint.first_works = works_of(rows(file.read_matrix("/first_works_J_m")));
+      checkpoint.first_works = works_of(rows(read_rows(file, "/first_works_J_m", 3)));
     return checkpoint;
   }
 } // namespace swimtwin

@@ -66,6 +66,8 @@ namespace swimtwin
   {
     expect_refusal("[target]\nposition_m = [5e-5, 0.0]\n", "already", open);
     expect_refusal("[target]\nposition_m = [5e-3, 0.0]\ntime_limit_s = 2.0\n", "time_limit_s = 2", open);
+    for (const char *far : {"1e6", "1e300"})
+      expect_refusal(std::string("[target]\nposition_m = [") + far + ", 0.0]\n", "at most 10000 are possible", open);
     expect_refusal("", "position_m is missing", open);
     expect_refusal("[target]\nposition_m = [5e-3, 0.0]\nspeed = 1.0\n", "speed", open);
     expect_refusal("[target]\nposition_m = [5e-3, 0.0]\nfrequency_low_Hz = 9.0\n", "leaves no frequency", open);

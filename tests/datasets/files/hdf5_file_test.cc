@@ -3,8 +3,47 @@
 #include <datasets/files/output_folder.h>
 #include <tests/datasets/temporary_folder.h>
 
+#include <hdf5.h>
+
 namespace swimtwin
 {
+  namespace
+  {
+    /// A file of HDF5's own calls, which makes what our writer does not.
+    template <typename Fill>
+    void make_raw_file(const std::filesystem::path &file, const Fill &fill)
+    {
+      const Hdf5Handle id(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
+      ASSERT_GE(id.id(), 0);
+      fill(id.id());
+    }
+
+    Hdf5Handle raw_space(const std::vector<hsize_t> &sizes)
+    {
+      return {sizes.empty() ? H5Screate(H5S_SCALAR)
+                            : H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr),
+              H5Sclose};
+    }
+
+    /// In chunks of that length in each direction, if it is given.
+    Hdf5Handle add_raw_dataset(const hid_t file, const char *name, const hid_t type, const std::vector<hsize_t> &sizes,
+                               const hsize_t chunk = 0, const unsigned int deflation = 0)
+    {
+      const Hdf5Handle space = raw_space(sizes), layout(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+      if (chunk > 0)
+        H5Pset_chunk(layout.id(), static_cast<int>(sizes.size()), std::vector<hsize_t>(sizes.size(), chunk).data());
+      if (deflation > 0)
+        H5Pset_deflate(layout.id(), deflation);
+      return {H5Dcreate2(file, name, type, space.id(), H5P_DEFAULT, layout.id(), H5P_DEFAULT), H5Dclose};
+    }
+
+    void add_raw_attribute(const hid_t file, const char *name, const hid_t type, const std::vector<hsize_t> &sizes)
+    {
+      const Hdf5Handle space = raw_space(sizes);
+      const Hdf5Handle attribute(H5Acreate2(file, name, type, space.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+    }
+  } // namespace
+
   TEST(Hdf5File, RoundTripKeepsEveryKindOfArray)
   {
     const TemporaryFolder folder;
@@ -66,6 +105,55 @@ namespace swimtwin
     expect_in(message([&] { reader.read_matrix("/group/values"); }), "is not an array of 2 dimensions");
     expect_in(message([&] { reader.read_text("/group/values"); }), "does not hold a text");
     expect_in(message([&] { reader.read_text_attribute("/group", "units"); }), "has no attribute units");
+  }
+
+  // Where one value is read there may be no more: it would be written behind its place.
+  TEST(Hdf5File, RefusesArraysInThePlaceOfSingleValues)
+  {
+    const TemporaryFolder folder;
+    const auto            file = folder.path / "file.h5";
+    make_raw_file(file, [](const hid_t id) {
+      const Hdf5Handle text(H5Tcopy(H5T_C_S1), H5Tclose);
+      H5Tset_size(text.id(), 8);
+      add_raw_dataset(id, "texts", text.id(), {1000});
+      add_raw_attribute(id, "texts", text.id(), {1000});
+      add_raw_attribute(id, "numbers", H5T_NATIVE_DOUBLE, {1000});
+      add_raw_attribute(id, "word", text.id(), {});
+      add_raw_attribute(id, "number", H5T_NATIVE_DOUBLE, {});
+    });
+    const Hdf5Reader reader(file);
+    const auto       message = [&](const auto &read) { return message_of<InputError>(read); };
+    expect_in(message([&] { reader.read_text("/texts"); }), "/texts does not hold a text");
+    expect_in(message([&] { reader.read_text_attribute("/", "texts"); }), "attribute texts that is not a text");
+    expect_in(message([&] { reader.read_text_attribute("/", "number"); }), "attribute number that is not a text");
+    expect_in(message([&] { reader.read_number_attribute("/", "numbers"); }), "attribute numbers that is not a number");
+    expect_in(message([&] { reader.read_number_attribute("/", "word"); }), "attribute word that is not a number");
+  }
+
+  TEST(Hdf5File, RefusesValuesThatAreClaimedAndNotThere)
+  {
+    const TemporaryFolder folder;
+    const auto            file = folder.path / "file.h5";
+    make_raw_file(file, [](const hid_t id) {
+      add_raw_dataset(id, "never_written", H5T_NATIVE_DOUBLE, {hsize_t(1) << 40}, 1 << 16);
+      add_raw_dataset(id, "table", H5T_NATIVE_INT, {hsize_t(1) << 20, hsize_t(1) << 28}, 256);
+    });
+    const Hdf5Reader reader(file);
+    const auto       message = [&](const auto &read) { return message_of<InputError>(read); };
+    expect_in(message([&] { reader.read_vector("/never_written"); }), "claims more values than the file holds");
+    expect_in(message([&] { reader.read_int_matrix("/table"); }), "claims more values than the file holds");
+  }
+
+  TEST(Hdf5File, ReadsWhatAnotherProgramCompressed)
+  {
+    const TemporaryFolder folder;
+    const auto            file = folder.path / "file.h5";
+    make_raw_file(file, [](const hid_t id) {
+      const std::vector<double> zeros(100000, 0.);
+      const Hdf5Handle          data = add_raw_dataset(id, "zeros", H5T_NATIVE_DOUBLE, {zeros.size()}, 100000, 9);
+      H5Dwrite(data.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, zeros.data());
+    });
+    EXPECT_EQ(Hdf5Reader(file).read_vector("/zeros").size(), 100000u);
   }
 
   TEST(Hdf5File, RefusesForeignAndMissingFiles)

@@ -95,4 +95,34 @@ namespace swimtwin
               "has rows of different lengths");
     EXPECT_EQ(refusal(R"({"leaves": [], "terms": {"a": "b"}})"), "has an entry terms of the wrong kind");
   }
+
+  // A conversion would make another number of it, whichever the machine likes.
+  TEST(JsonEntries, CountsAreWholeAndNotTooLarge)
+  {
+    for (const char *wrong : {"-1", "0.5", "1e30", "18446744073709551616", "-1e300"})
+      expect_in(refusal(fmt::format(R"({{"leaves": [], "terms": {{}}, "parts": {{}}, "seed": {}}})", wrong)),
+                "not whole, or too large");
+    for (const char *right : {"0", "3", "3.0", "18446744073709551615"})
+    {
+      JsonTree tree;
+      read_json(Json::parse(fmt::format(R"({{"leaves": [], "terms": {{}}, "parts": {{}}, "seed": {}}})", right)), tree);
+      EXPECT_EQ(static_cast<double>(tree.seed), std::stod(right));
+    }
+    const auto read_int = [](const char *text) {
+      int value = 0;
+      read_json(Json::parse(text), value);
+      return value;
+    };
+    EXPECT_EQ(read_int("-2147483648"), std::numeric_limits<int>::min());
+    EXPECT_EQ(read_int("2147483647"), std::numeric_limits<int>::max());
+    EXPECT_THROW(read_int("2147483648"), InputError);
+  }
+
+  TEST(JsonEntries, AFileOfTooLargeANumberIsNamed)
+  {
+    const TemporaryFolder folder;
+    const auto            file = folder.write("a.json", R"({"number": 1e999})");
+    expect_in(message_of<InputError>([&] { read_json_file(file, "the summary", "run again"); }),
+              "a.json holds a number that is too large to be read; run again.");
+  }
 } // namespace swimtwin

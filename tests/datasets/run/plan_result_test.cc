@@ -1,4 +1,5 @@
 #include <datasets/system/error.h>
+#include <datasets/files/json_entries.h>
 #include <datasets/run/plan_result.h>
 #include <tests/datasets/temporary_folder.h>
 
@@ -70,5 +71,11 @@ namespace swimtwin
     EXPECT_NE(message("{}").find("is not a plan of swimtwin optimize"), std::string::npos);
     EXPECT_NE(message("[1,").find("plan.json"), std::string::npos);
     EXPECT_THROW(read_plan_result(folder.path / "absent.json"), InputError);
+    PlanResult half;
+    half.replay = PlanReplay{100, {{"a", 0., {}, {}, 4e-4}, {"b", 0., {}, {}, 5.6e-4}}, 3.};
+    write_plan_result(folder.path / "plan.json", half);
+    Json json = Json::parse(content(folder.path / "plan.json"));
+    json["replay"]["fields"].erase(1);
+    EXPECT_NE(message(json.dump()).find("a replay of other than two fields"), std::string::npos);
   }
 } // namespace swimtwin

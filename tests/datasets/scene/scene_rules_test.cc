@@ -355,6 +355,16 @@ namespace swimtwin
     expect_refused({"numerics.mesh_size_far_m=1e-5"}, "[numerics] mesh_size_far_m = 1e-05 m: the mesh size far away");
   }
 
+  // A mesher that is asked for them ends hours later, or never.
+  TEST(SceneRules, MeshesHaveNoMoreTrianglesThanAMachineHolds)
+  {
+    expect_refused({"domain.size_m=[1e300, 1e300]"}, "at most 1e+07 are possible: enlarge mesh_size_m");
+    expect_refused({"domain.size_m=[90.0, 90.0]"}, "would make a mesh of about");
+    expect_refused({"numerics.mesh_size_m=1e-9", "numerics.mesh_size_corner_m=1e-9"}, "would make a mesh of about");
+    expect_refused({"numerics.mesh_growth=1e-8", "numerics.mesh_size_m=1e-7", "numerics.mesh_size_corner_m=1e-7"},
+                   "would make a mesh of about");
+  }
+
   TEST(SceneRules, HalfOfASceneIsSolvedOnlyWhereItTellsTheOtherHalf)
   {
     const Overrides on{"numerics.symmetric_half=on"}, aligned{"field.by_T=0.0"};

@@ -34,6 +34,24 @@ namespace swimtwin
     };
   } // namespace
 
+  TEST(Console, WritesOutWhatATerminalWouldObey)
+  {
+    EXPECT_EQ(displayable("cell \"\x1B[2J\" of \xC2\xB5m,\r\x7F\nnext\tline"),
+              "cell \"\\x1B[2J\" of \xC2\xB5m,\\x0D\\x7F\nnext\tline");
+    EXPECT_EQ(displayable(std::string("a\0b", 3)), "a\\x00b");
+    EXPECT_EQ(displayable(""), "");
+    EXPECT_EQ(displayable("one\n"), "one\n");
+  }
+
+  TEST(Console, LeavesTheEndsOfAnEndlessLine)
+  {
+    const std::string shown = displayable("head " + std::string(100000, 'x') + " tail\nanother line");
+    EXPECT_LT(shown.size(), 1100u);
+    EXPECT_TRUE(shown.starts_with("head xxx"));
+    EXPECT_TRUE(shown.ends_with(" tail\nanother line"));
+    EXPECT_NE(shown.find("bytes are left out"), std::string::npos);
+  }
+
   TEST(Console, RemembersOnceThatOutputWasLost)
   {
     {
