@@ -20,6 +20,7 @@
 
 #include <cmath>
 #include <concepts>
+#include <cstdint>
 #include <filesystem>
 #include <limits>
 #include <map>
@@ -98,12 +99,19 @@ namespace swimtwin
   template <std::integral Type>
   Type whole_number(const Json &json)
   {
-    const double number = json.get<double>();
-    const bool   fits   = number >= static_cast<double>(std::numeric_limits<Type>::lowest()) &&
-                      number < 2. * static_cast<double>(std::numeric_limits<Type>::max() / 2 + 1);
-    if (!fits || number != std::floor(number))
+    const double number = json.get<double>(); // throws for what is none
+    bool         fits   = false;
+    if (json.is_number_unsigned())
+      fits = std::in_range<Type>(json.get<std::uint64_t>());
+    else if (json.is_number_integer())
+      fits = std::in_range<Type>(json.get<std::int64_t>());
+    else // in half of the range: the other half is beyond what a double tells apart
+      fits = number == std::floor(number) &&
+             std::abs(number) <= static_cast<double>(std::numeric_limits<Type>::max() / 2) &&
+             (number >= 0. || std::signed_integral<Type>);
+    if (!fits)
       throw InputError("has a number that is not whole, or too large, where a count is needed");
-    return json.is_number_float() ? static_cast<Type>(number) : json.get<Type>();
+    return json.get<Type>();
   }
 
   void read_json(const Json &json, double &value);

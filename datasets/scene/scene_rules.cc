@@ -295,9 +295,14 @@ namespace swimtwin
 
     void check_mesh_extent(const TomlDocument &document, const Scene &scene)
     {
-      constexpr double n_most = 1e7; // no machine has the memory for more
+      constexpr double n_most  = 1e7; // no machine has the memory for more
+      constexpr double longest = 1e6; // body lengths: beyond, coordinates of the body are round-off
       if (!scene.domain)
         return;
+      if (const double extent = std::max(scene.domain->size_m[0], scene.domain->size_m[1]) / scene.body_length_m();
+          extent > longest)
+        document.refuse("domain", "",
+                        fmt::format("is {:.3g} body lengths long; at most {:.0e} are possible.", extent, longest));
       if (const double n = expected_triangles(scene); !(n <= n_most))
         document.refuse("numerics", has(document, "numerics", "mesh_size_far_m") ? "mesh_size_far_m" : "mesh_size_m",
                         fmt::format("m would make a mesh of about {:.1g} triangles; at most {:.0e} are possible: "

@@ -358,8 +358,9 @@ namespace swimtwin
   // A mesher that is asked for them ends hours later, or never.
   TEST(SceneRules, MeshesHaveNoMoreTrianglesThanAMachineHolds)
   {
-    expect_refused({"domain.size_m=[1e300, 1e300]"}, "at most 1e+07 are possible: enlarge mesh_size_m");
-    expect_refused({"domain.size_m=[90.0, 90.0]"}, "would make a mesh of about");
+    expect_refused({"domain.size_m=[1e300, 1e300]"}, "[domain] is 1.25e+302 body lengths long; at most 1e+06");
+    expect_refused({"domain.size_m=[9.0, 9.0]", "numerics.mesh_size_far_m=1e-3"},
+                   "[numerics] mesh_size_far_m = 0.001 m would make a mesh of about 2e+08 triangles; at most 1e+07");
     expect_refused({"numerics.mesh_size_m=1e-9", "numerics.mesh_size_corner_m=1e-9"}, "would make a mesh of about");
     expect_refused({"numerics.mesh_growth=1e-8", "numerics.mesh_size_m=1e-7", "numerics.mesh_size_corner_m=1e-7"},
                    "would make a mesh of about");
