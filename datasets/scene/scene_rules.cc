@@ -280,14 +280,21 @@ namespace swimtwin
                         numerics.mesh_size_far_m, numerics.mesh_size_m));
     }
 
+    std::array<double, 2> extent_m(const Domain &domain)
+    {
+      const double diameter = 2. * domain.radius_m;
+      return diameter > 0. ? std::array{diameter, diameter} : domain.size_m;
+    }
+
     /// About as many triangles as the fluid's mesh would have: of equal sides, which grow with the distance from the
     /// body.
     double expected_triangles(const Scene &scene)
     {
-      const Numerics &sizes     = scene.numerics;
-      const double    area      = scene.domain->size_m[0] * scene.domain->size_m[1];
-      const double    perimeter = 2. * (scene.body_length_m() + scene.head.size_m[1]);
-      const double    near =
+      const Numerics &sizes  = scene.numerics;
+      const auto [x, y]      = extent_m(*scene.domain);
+      const double area      = x * y;
+      const double perimeter = 2. * (scene.body_length_m() + scene.head.size_m[1]);
+      const double near =
           std::min(perimeter / (sizes.mesh_growth * sizes.mesh_size_m), area / (sizes.mesh_size_m * sizes.mesh_size_m));
       const double shape = 0.25 * std::sqrt(3.); // area of such a triangle over the square of its side
       return (near + area / (sizes.mesh_size_far_m * sizes.mesh_size_far_m)) / shape;
@@ -299,8 +306,8 @@ namespace swimtwin
       constexpr double longest = 1e6; // body lengths: beyond, coordinates of the body are round-off
       if (!scene.domain)
         return;
-      if (const double extent = std::max(scene.domain->size_m[0], scene.domain->size_m[1]) / scene.body_length_m();
-          extent > longest)
+      const auto [x, y] = extent_m(*scene.domain);
+      if (const double extent = std::max(x, y) / scene.body_length_m(); extent > longest)
         document.refuse("domain", "",
                         fmt::format("is {:.3g} body lengths long; at most {:.0e} are possible.", extent, longest));
       if (const double n = expected_triangles(scene); !(n <= n_most))
