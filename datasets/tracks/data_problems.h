@@ -17,7 +17,7 @@ namespace swimtwin
     std::string text; ///< `file:line: what is wrong; remedy.`
   };
 
-  /// Collects problems in the order in which they are found.
+  /// Collects problems in the order in which they are found, each once.
   class DataProblems
   {
   public:
@@ -44,7 +44,7 @@ namespace swimtwin
     /// Errors first.
     std::vector<DataProblem> all() const;
     std::vector<std::string> texts(Severity severity) const;
-    /// Throw InputError with all errors, one per line, if there are any.
+    /// Throw InputError with the errors, one per line and some dozens at most, if there are any.
     void throw_errors() const;
 
   private:

@@ -93,47 +93,65 @@ namespace swimtwin
       return {name, "data.toml", sidecars, tables, false, read_observed};
     }
 
+    /// Of two swims, three periods of each: what makes the smallest curve.
+    std::string two_tracks()
+    {
+      std::string table = "frequency_Hz,time_s,x_m,y_m,angle_rad\n";
+      for (const double frequency : {1., 2.})
+        for (int i = 0; i <= 40; ++i)
+          table += fmt::format("{},{},{},1e-5,-0.01\n", frequency, 0.08 * i / frequency, -1e-5 * i);
+      return table;
+    }
+
+    std::string deeplabcut_table()
+    {
+      std::string table = "scorer,net,net,net,net,net,net\nbodyparts,head,head,head,tail,tail,tail\n"
+                          "coords,x,y,likelihood,x,y,likelihood\n";
+      for (int i = 0; i < 90; ++i)
+        table += fmt::format("{},{},{},0.99,{},12,0.2\n", i, 100. - 0.5 * i, 10. + i % 25, 200. - i);
+      return table;
+    }
+
+    const std::string side_of_tracks =
+        "source = \"made\"\nsynthetic = true\nswimmer = \"none\"\nmeasured_by = \"typed\"\n"
+        "period = \"periodic\"\n[field]\nbx_T = 5e-3\nby_T = 5e-3\n[camera]\n"
+        "position_sigma_m = 1e-6\nhead_first = [-1, 0]\n";
+
+    /// Two films, the second of which is as it should be.
+    std::string side_of_films(const std::string &more)
+    {
+      return side_of_tracks +
+             "pixel_m = 5e-6\nframe_s = 0.04\n[[recording]]\nfile = \"film.csv\"\nfrequency_Hz = 1.0\n" + more +
+             "[[recording]]\nfile = \"other.csv\"\nfrequency_Hz = 1.8\n" + more;
+    }
+
     std::vector<FuzzedReader> observation_readers()
     {
-      const std::string soft        = shipped("datasets/observations/synthetic-soft.csv"),
-                        side        = shipped("datasets/observations/synthetic-soft.toml");
-      const std::string tracks      = first_lines(shipped("datasets/observations/synthetic-tracks.csv"), 250),
-                        tracks_side = shipped("datasets/observations/synthetic-tracks.toml");
-      std::string       film_side   = shipped("datasets/observations/synthetic-trackmate.toml");
-      const std::string film_1 = "synthetic-trackmate-1Hz.csv", film_2 = "synthetic-trackmate-1.8Hz.csv";
-      const std::string film     = first_lines(shipped("datasets/observations/" + film_1), 120),
-                        other    = first_lines(shipped("datasets/observations/" + film_2), 120);
-      const std::string cases    = "tests/datasets/cases/";
-      const std::string one_side = "source = \"made\"\nsynthetic = true\nswimmer = \"none\"\nmeasured_by = \"typed\"\n"
-                                   "period = \"periodic\"\n[field]\nbx_T = 5e-3\nby_T = 5e-3\n[camera]\n"
-                                   "position_sigma_m = 1e-6\nhead_first = [-1, 0]\npixel_m = 5e-6\nframe_s = 0.04\n";
-      const std::string own_film = one_side + "[[recording]]\nfile = \"film.csv\"\nfrequency_Hz = 1.0\n";
-      const std::string dlc_film = own_film + "body_part = \"head\"\n";
-      std::string       labels   = "scorer,net,net,net,net,net,net\nbodyparts,head,head,head,tail,tail,tail\n"
-                                   "coords,x,y,likelihood,x,y,likelihood\n";
-      for (int i = 0; i < 90; ++i)
-        labels += fmt::format("{},{},{},0.99,{},12,0.2\n", i, 100. - 0.5 * i, 10. + i % 25, 200. - i);
-      std::vector<FuzzedReader> readers{
-          table_reader("curve",
-                       {soft, shipped(cases + "curves/mm.csv"), shipped(cases + "curves/replicates.csv"),
-                        shipped(cases + "excel/semicolon-comma.csv"), shipped(cases + "excel/empty-columns.csv"),
-                        shipped(cases + "excel/empty-rows.csv")},
-                       side),
-          sidecar_reader("sidecar of a curve", {side, shipped(cases + "curves/mm.toml")}, {{"data.csv", soft}}),
-          table_reader("tracks", {tracks}, tracks_side),
-          sidecar_reader("sidecar of tracks", {tracks_side}, {{"data.csv", tracks}}),
-          sidecar_reader("sidecar of TrackMate films", {film_side}, {{film_1, film}, {film_2, other}}),
-          sidecar_reader("sidecar of a DeepLabCut film", {dlc_film}, {{"film.csv", labels}})};
-      const auto read_film = [](const fs::path &file) { read_observed(file.parent_path() / "side.toml"); };
-      readers.push_back({"TrackMate",
-                         "film.csv",
-                         {film, other, first_lines(shipped(cases + "trackmate/a.csv"), 120),
-                          first_lines(shipped(cases + "trackmate/a-latin.csv"), 120)},
-                         {{"side.toml", own_film}},
-                         false,
-                         read_film});
-      readers.push_back({"DeepLabCut", "film.csv", {labels}, {{"side.toml", dlc_film}}, false, read_film});
-      return readers;
+      const std::string cases = "tests/datasets/cases/";
+      const std::string soft  = shipped("datasets/observations/synthetic-soft.csv"),
+                        side  = shipped("datasets/observations/synthetic-soft.toml");
+      const std::string film  = first_lines(shipped("datasets/observations/synthetic-trackmate-1Hz.csv"), 120),
+                        other = first_lines(shipped("datasets/observations/synthetic-trackmate-1.8Hz.csv"), 120);
+      const std::string films = side_of_films(""), labels = deeplabcut_table(),
+                        labelled = side_of_films("body_part = \"head\"\n");
+      const auto read_film       = [](const fs::path &file) { read_observed(file.parent_path() / "side.toml"); };
+      return {table_reader("curve",
+                           {soft, shipped(cases + "curves/mm.csv"), shipped(cases + "curves/replicates.csv"),
+                            shipped(cases + "excel/semicolon-comma.csv"), shipped(cases + "excel/empty-columns.csv"),
+                            shipped(cases + "excel/empty-rows.csv")},
+                           side),
+              sidecar_reader("sidecar of a curve", {side, shipped(cases + "curves/mm.toml")}, {{"data.csv", soft}}),
+              table_reader("tracks", {two_tracks()}, side_of_tracks),
+              sidecar_reader("sidecar of tracks", {side_of_tracks}, {{"data.csv", two_tracks()}}),
+              sidecar_reader("sidecar of TrackMate films", {films}, {{"film.csv", film}, {"other.csv", other}}),
+              sidecar_reader("sidecar of DeepLabCut films", {labelled}, {{"film.csv", labels}, {"other.csv", labels}}),
+              {"TrackMate",
+               "film.csv",
+               {film, other, first_lines(shipped(cases + "trackmate/a-latin.csv"), 120)},
+               {{"side.toml", films}, {"other.csv", other}},
+               false,
+               read_film},
+              {"DeepLabCut", "film.csv", {labels}, {{"side.toml", labelled}, {"other.csv", labels}}, false, read_film}};
     }
 
     Trajectory short_motion()
@@ -257,7 +275,7 @@ namespace swimtwin
            [](const fs::path &file) { inertia_warning(read_scene(file)); }},
           {"field program",
            "field.csv",
-           {program, first_lines(written([](const fs::path &file) { write_trajectory_csv(file, short_motion()); }), 9)},
+           {program, first_lines(written([](const fs::path &file) { write_trajectory_csv(file, short_motion()); }), 8)},
            {},
            false,
            [](const fs::path &file) { FieldProgram::read_csv(file, 1.); }}};
