@@ -34,7 +34,7 @@ namespace swimtwin
     double speed_of_swing(const Scene &scene)
     {
       constexpr int n_instants = 64;
-      if (scene.head.fixed || scene.head.magnetization_A_m == 0. || scene.time.period_s <= 0.)
+      if (!scene.head.is_free() || scene.head.magnetization_A_m == 0. || scene.time.period_s <= 0.)
         return 0.;
       double most = 0., least = 0.;
       for (int i = 0; i < n_instants; ++i)
@@ -52,7 +52,7 @@ namespace swimtwin
       constexpr double swings = 0.4, longest_step_rad = 1.25, good_step_rad = 0.6;
       const auto [rate, damping_ratio] = magnetic_swing(scene);
       const double step_rad            = rate * scene.time.time_step_s();
-      if (scene.head.fixed || damping_ratio > swings || step_rad < longest_step_rad)
+      if (!scene.head.is_free() || damping_ratio > swings || step_rad < longest_step_rad)
         return;
       plan.warnings.push_back(fmt::format(
           "inertia lets the swimmer swing about the field at {:.3g} Hz by itself, which {:.2g} steps per swing do not "
