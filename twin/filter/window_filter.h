@@ -1,0 +1,111 @@
+// A Kalman filter whose observations may be late: a window of the past is kept and gone through again.
+#pragma once
+
+#include <twin/filter/jump_test.h>
+#include <twin/filter/noise_level.h>
+#include <twin/filter/robustness.h>
+#include <twin/filter/square_root_filter.h>
+#include <twin/filter/system.h>
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace swimtwin
+{
+  struct FilterOptions
+  {
+    double     window_s   = 2.; ///< how late an observation may be
+    Robustness robustness = {};
+    /// An update whose innovation is farther off than this (standard deviations) is iterated: Gauss and Newton's steps
+    /// on the nonlinear expectation.
+    double iterate_beyond = 2.;
+    int    max_iterations = 4;
+    bool   learns_jumps   = true;
+  };
+
+  /// An instant of the window.
+  struct FilterNode
+  {
+    double                                        time_s = 0.;
+    Belief                                        predicted, filtered;
+    Eigen::MatrixXd                               transition, noise; ///< from the instant before
+    std::vector<Observation>                      observations;      ///< in an order of their own
+    std::vector<Innovation>                       innovations;       ///< of each of them
+    std::array<NoiseLevel, max_observation_kinds> noise_levels;
+    JumpTest                                      jumps;
+    double                                        log_likelihood = 0.; ///< of the observations here
+  };
+
+  enum class Insertion {
+    in_order,
+    replayed, ///< it was late: what came after it was gone through again
+    too_old,  ///< before the window
+    failed    ///< the process found no way on
+  };
+
+  /// The result depends on what was seen when, not on the order in which it came: to the last digit where nothing left
+  /// the window in between.
+  class WindowFilter
+  {
+  public:
+    /// Both must live as long.
+    WindowFilter(Process &process, Sensor &sensor, const FilterOptions &options);
+
+    void start(double time_s, const Belief &belief, const JumpTest &jumps = {});
+    bool has_started() const { return n_nodes_ > 0; }
+
+    Insertion add(const Frame &frame);
+    /// Go through the whole window again with frames at other times: `new_time_s(old)`. For a sensor whose reference
+    /// has moved.
+    template <typename Function>
+    bool retime(const Function &new_time_s)
+    {
+      gather_frames(0);
+      for (Frame &frame : frames_in_use())
+        frame.time_s = new_time_s(frame.time_s);
+      return replay_from_start();
+    }
+    /// Go through the whole window again from another belief at its start.
+    bool restart_from(const Belief &belief);
+    /// Let the belief be wider in one direction from now on.
+    void widen(const Eigen::VectorXd &direction);
+    void restart_jump_test() { latest_node().jumps.restart(); }
+
+    int               n_nodes() const { return n_nodes_; }
+    const FilterNode &node(const int i) const { return nodes_[static_cast<std::size_t>(i)]; }
+    const FilterNode &latest() const { return node(n_nodes_ - 1); }
+    double            log_likelihood() const; ///< of the window
+    /// The belief carried to a later instant; nothing is kept. False if there is no way on.
+    bool predict(double time_s, Belief &belief);
+    bool predict(double from_s, double to_s, Belief &belief);
+
+    FilterOptions options;
+
+  private:
+    FilterNode      &latest_node() { return nodes_[static_cast<std::size_t>(n_nodes_ - 1)]; }
+    void             gather_frames(int first);
+    void             gather(double time_s, const std::vector<Observation> &observations);
+    std::span<Frame> frames_in_use() { return {frames_.data(), n_frames_}; }
+    bool             replay_from_start();
+    bool             go_through_frames();
+    FilterNode      &append(double time_s);
+    bool             go_to(double time_s);
+    void             observe(FilterNode &node);
+    void             take_in(const Observation &observation, Innovation &innovation, FilterNode &node);
+    void             trim();
+
+    Process         &process_;
+    Sensor          &sensor_;
+    SquareRootFilter algebra_;
+    UpdateRecord     record_;
+    Belief           trial_;
+    Eigen::MatrixXd  slopes_, transition_, noise_;
+    Eigen::VectorXd  residual_, shift_;
+
+    std::vector<FilterNode> nodes_; ///< the first n_nodes_ are in use, others keep their memory
+    int                     n_nodes_ = 0;
+    std::vector<Frame>      frames_; ///< gathered for a replay
+    std::size_t             n_frames_ = 0;
+  };
+} // namespace swimtwin
