@@ -24,7 +24,8 @@ namespace swimtwin
   {
   }
 
-  void WindowFilter::start(const double time_s, const Belief &belief, const JumpTest &jumps)
+  void WindowFilter::start(const double time_s, const Belief &belief, const JumpTest &jumps,
+                           const std::array<NoiseLevel, max_observation_kinds> *levels)
   {
     n_nodes_         = 0;
     FilterNode &node = append(time_s);
@@ -35,6 +36,8 @@ namespace swimtwin
       const double sigma                                = sensor_.first_sigma(kind);
       node.noise_levels[static_cast<std::size_t>(kind)] = {sigma * sigma, 0.};
     }
+    if (levels != nullptr)
+      node.noise_levels = *levels;
   }
 
   FilterNode &WindowFilter::append(const double time_s)
@@ -126,6 +129,9 @@ namespace swimtwin
     node.innovations.resize(node.observations.size());
     for (std::size_t i = 0; i < node.observations.size(); ++i)
       take_in(node.observations[i], node.innovations[i], node);
+    for (const Widening &widening : widenings_)
+      if (widening.time_s == node.time_s)
+        apply(widening, node);
   }
 
   void WindowFilter::gather(const double time_s, const std::vector<Observation> &observations)
@@ -174,21 +180,25 @@ namespace swimtwin
     return go_through_frames();
   }
 
+  /// Back to the last node that is earlier and at which something was seen, or to the first: steps in between depend on
+  /// both of their ends. What was seen later is gathered.
+  void WindowFilter::go_back_before(const double time_s)
+  {
+    int before = n_nodes_ - 1;
+    while (before > 0 && (node(before).time_s >= time_s || node(before).observations.empty()))
+      --before;
+    gather_frames(before + 1);
+    n_nodes_ = before + 1;
+  }
+
   Insertion WindowFilter::add(const Frame &frame)
   {
     if (frame.time_s <= node(0).time_s)
       return Insertion::too_old;
-    n_frames_              = 0;
     const bool is_in_order = frame.time_s > latest().time_s;
+    n_frames_              = 0;
     if (!is_in_order)
-    {
-      // Back to what was seen before it: steps in between depend on both of their ends.
-      int before = n_nodes_ - 1;
-      while (before > 0 && (node(before).time_s >= frame.time_s || node(before).observations.empty()))
-        --before;
-      gather_frames(before + 1);
-      n_nodes_ = before + 1;
-    }
+      go_back_before(frame.time_s);
     gather(frame.time_s, frame.observations);
     if (!go_through_frames())
       return Insertion::failed;
@@ -196,20 +206,25 @@ namespace swimtwin
     return is_in_order ? Insertion::in_order : Insertion::replayed;
   }
 
-  bool WindowFilter::restart_from(const Belief &belief)
+  bool WindowFilter::revisit(const double time_s)
   {
-    gather_frames(0);
-    nodes_.front().predicted = belief;
-    return replay_from_start();
+    go_back_before(time_s);
+    return go_through_frames();
+  }
+
+  void WindowFilter::apply(const Widening &widening, FilterNode &node)
+  {
+    transition_.setIdentity();
+    noise_.setZero();
+    noise_.col(0) = widening.direction;
+    algebra_.predict(transition_, noise_, node.filtered.root);
+    node.jumps.restart();
   }
 
   void WindowFilter::widen(const Eigen::VectorXd &direction)
   {
-    FilterNode &node = latest_node();
-    transition_.setIdentity();
-    noise_.setZero();
-    noise_.col(0) = direction;
-    algebra_.predict(transition_, noise_, node.filtered.root);
+    widenings_.push_back({latest().time_s, direction});
+    apply(widenings_.back(), latest_node());
   }
 
   void WindowFilter::trim()
@@ -227,6 +242,7 @@ namespace swimtwin
     nodes_.front().predicted = nodes_.front().filtered;
     nodes_.front().observations.clear();
     nodes_.front().innovations.clear();
+    std::erase_if(widenings_, [this](const Widening &w) { return w.time_s <= node(0).time_s; });
   }
 
   double WindowFilter::log_likelihood() const

@@ -52,7 +52,9 @@ namespace swimtwin
     /// Both must live as long.
     WindowFilter(Process &process, Sensor &sensor, const FilterOptions &options);
 
-    void start(double time_s, const Belief &belief, const JumpTest &jumps = {});
+    /// `levels` null: noise is learned from the sensor's first guesses.
+    void start(double time_s, const Belief &belief, const JumpTest &jumps = {},
+               const std::array<NoiseLevel, max_observation_kinds> *levels = nullptr);
     bool has_started() const { return n_nodes_ > 0; }
 
     Insertion add(const Frame &frame);
@@ -64,13 +66,15 @@ namespace swimtwin
       gather_frames(0);
       for (Frame &frame : frames_in_use())
         frame.time_s = new_time_s(frame.time_s);
+      for (Widening &widening : widenings_)
+        widening.time_s = new_time_s(widening.time_s);
       return replay_from_start();
     }
-    /// Go through the whole window again from another belief at its start.
-    bool restart_from(const Belief &belief);
-    /// Let the belief be wider in one direction from now on.
+    /// Go through all after an instant again: the process has learned something about that time.
+    bool revisit(double time_s);
+    /// Let the belief be wider in one direction from the latest instant on, and the test for jumps forget what was
+    /// before; replays keep to it.
     void widen(const Eigen::VectorXd &direction);
-    void restart_jump_test() { latest_node().jumps.restart(); }
 
     int               n_nodes() const { return n_nodes_; }
     const FilterNode &node(const int i) const { return nodes_[static_cast<std::size_t>(i)]; }
@@ -83,11 +87,19 @@ namespace swimtwin
     FilterOptions options;
 
   private:
-    FilterNode      &latest_node() { return nodes_[static_cast<std::size_t>(n_nodes_ - 1)]; }
+    FilterNode &latest_node() { return nodes_[static_cast<std::size_t>(n_nodes_ - 1)]; }
+    struct Widening
+    {
+      double          time_s = 0.;
+      Eigen::VectorXd direction;
+    };
+
+    void             apply(const Widening &widening, FilterNode &node);
     void             gather_frames(int first);
     void             gather(double time_s, const std::vector<Observation> &observations);
     std::span<Frame> frames_in_use() { return {frames_.data(), n_frames_}; }
     bool             replay_from_start();
+    void             go_back_before(double time_s);
     bool             go_through_frames();
     FilterNode      &append(double time_s);
     bool             go_to(double time_s);
@@ -107,5 +119,6 @@ namespace swimtwin
     int                     n_nodes_ = 0;
     std::vector<Frame>      frames_; ///< gathered for a replay
     std::size_t             n_frames_ = 0;
+    std::vector<Widening>   widenings_; ///< within the window
   };
 } // namespace swimtwin

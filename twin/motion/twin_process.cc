@@ -99,13 +99,12 @@ namespace swimtwin
   void TwinProcess::set_noise(const double from_s, const double length, const Eigen::MatrixXd &transition,
                               Eigen::MatrixXd &noise) const
   {
-    const int    n    = layout_.n_swimmer();
     const double root = std::sqrt(length);
     noise.setZero();
     noise(0, 0) = noise(1, 1) = root * noise_.position_m;
     noise(2, 2)               = root * noise_.angle_rad;
-    for (int i = 3; i < n; ++i)
-      noise(i, i) = root * noise_.shape_m;
+    for (Eigen::Index i = 0; i < noise_.shape_m.size(); ++i)
+      noise(3 + i, 3 + i) = root * noise_.shape_m[i];
     for (int i = 0; i < n_twin_parameters; ++i)
       if (const auto p = static_cast<TwinParameter>(i); layout_.is_estimated(p))
         noise.col(layout_.place(p)) = root * layout_.parameters()[p].drift * transition.col(layout_.place(p));

@@ -10,7 +10,8 @@ namespace swimtwin
   /// What the reduced swimmer does not know of its own motion: standard deviations of what is added in a second.
   struct ModelNoise
   {
-    double position_m = 0., angle_rad = 0., shape_m = 0.;
+    double          position_m = 0., angle_rad = 0.;
+    Eigen::VectorXd shape_m = {}; ///< of each mode; empty: nothing
   };
 
   class TwinProcess : public Process

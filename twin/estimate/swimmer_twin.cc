@@ -1,0 +1,229 @@
+#include <twin/estimate/swimmer_twin.h>
+
+#include <rom/swimmer/dense_algebra.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace swimtwin
+{
+  namespace
+  {
+    /// One for each thing that may change at once, as far as it is estimated.
+    std::vector<JumpHypothesis> jump_hypotheses(const TwinLayout &layout, const double length_m)
+    {
+      std::vector<JumpHypothesis> hypotheses;
+      const Eigen::VectorXd       zero = Eigen::VectorXd::Zero(layout.n_states());
+      const auto                  add  = [&](const char *name, const std::vector<std::pair<int, double>> &entries) {
+        Eigen::VectorXd direction = zero;
+        for (const auto &[place, size] : entries)
+          direction[place] = size;
+        hypotheses.push_back({name, direction});
+      };
+      const int stiffness = layout.place(TwinParameter::stiffness), magnet = layout.place(TwinParameter::magnetization);
+      if (stiffness >= 0)
+        add("stiffness", {{stiffness, 1.}});
+      if (magnet >= 0)
+        add("magnetization", {{magnet, 1.}});
+      if (stiffness >= 0 && magnet >= 0)
+        add("viscosity", {{stiffness, -1.}, {magnet, -1.}});
+      if (const int rotation = layout.place(TwinParameter::camera_rotation); rotation >= 0)
+        add("camera rotation", {{rotation, 1.}});
+      if (const int scale = layout.place(TwinParameter::camera_scale); scale >= 0)
+        add("camera scale", {{scale, 1.}});
+      add("position along x (the camera or the swimmer was moved)", {{0, length_m}});
+      add("position along y (the camera or the swimmer was moved)", {{1, length_m}});
+      add("head's angle (the swimmer or the camera was turned)", {{2, 1.}});
+      return hypotheses;
+    }
+  } // namespace
+
+  SwimmerTwin::SwimmerTwin(const ReducedModel &model, const TwinOptions &options)
+      : options_(options), model_(model), swimmer_(model_), axis_(model_.tail),
+        layout_(options.parameters, swimmer_.n_states()),
+        process_(swimmer_, options.nominal, layout_, field_, options.noise, options.largest_step_s),
+        camera_(process_, axis_, options.first_sigmas), filter_(process_, camera_, options.filter),
+        hypotheses_(jump_hypotheses(layout_, swimmer_.length_m()))
+  {
+    camera_.reference_delay_s = options.parameters[TwinParameter::camera_delay].value;
+  }
+
+  Belief SwimmerTwin::first_belief(const double instant_s, const std::vector<Observation> &observations) const
+  {
+    Eigen::VectorXd mean = Eigen::VectorXd::Zero(layout_.n_states()), sd = mean;
+    for (int i = 0; i < n_twin_parameters; ++i)
+      if (const auto p = static_cast<TwinParameter>(i); layout_.is_estimated(p))
+      {
+        mean[layout_.place(p)] = options_.parameters[p].value;
+        sd[layout_.place(p)]   = options_.parameters[p].standard_deviation;
+      }
+    const StartBelief    &start = options_.start;
+    const Eigen::Vector2d field = field_.value_T(instant_s);
+    mean[2]                     = start.angle_rad.value_or(field.norm() > 0. ? std::atan2(field.y(), field.x()) : 0.);
+    sd[2]                       = start.angle_sd_rad;
+    for (const Observation &o : observations)
+    {
+      if (o.kind == head_position)
+        mean.head<2>() = camera_.in_laboratory(o.value, mean);
+      if (o.kind == head_angle && !start.angle_rad)
+        mean[2] = o.value[0] - layout_.value(TwinParameter::camera_rotation, mean);
+    }
+    sd.head<2>().setConstant(swimmer_.length_m());
+    sd.segment(3, swimmer_.n_modes()) = start.shape_sd_m;
+    return Belief::independent(mean, sd);
+  }
+
+  void SwimmerTwin::start(const double stamp_s, const std::vector<Observation> &observations)
+  {
+    const double instant_s = camera_.instant_s(stamp_s);
+    filter_.start(instant_s, first_belief(instant_s, observations),
+                  JumpTest(hypotheses_, options_.jumps.interval_s, options_.jumps.n_instants));
+    // The first frame is an observation like all others, an instant after the belief that it began.
+    constexpr double instant_later_s = 1e-6;
+    filter_.add({instant_s + instant_later_s, observations});
+    started_s_     = instant_s;
+    quiet_until_s_ = instant_s + options_.jumps.settle_s;
+  }
+
+  Insertion SwimmerTwin::see(const double stamp_s, const std::vector<Observation> &observations)
+  {
+    alarm_.reset();
+    if (!has_started())
+    {
+      const bool has_position = std::any_of(observations.begin(), observations.end(),
+                                            [](const Observation &o) { return o.kind == head_position; });
+      if (!has_position)
+        return Insertion::too_old;
+      is_searching_ = layout_.is_estimated(TwinParameter::camera_delay);
+      if (is_searching_)
+        start_frames_.push_back({stamp_s, observations});
+      start(stamp_s, observations);
+      return Insertion::in_order;
+    }
+    if (is_searching_)
+      start_frames_.push_back({stamp_s, observations});
+    const Insertion insertion = filter_.add({camera_.instant_s(stamp_s), observations});
+    if (is_searching_ && now_s() - started_s_ >= options_.delay_search_s)
+      search_delay();
+    else if (!is_searching_)
+      keep_delay_reference();
+    watch_for_jumps();
+    return insertion;
+  }
+
+  double SwimmerTwin::run_through_start(const double delay_s)
+  {
+    camera_.reference_delay_s = delay_s;
+    start(start_frames_.front().time_s, start_frames_.front().observations);
+    double log_likelihood = 0.;
+    for (std::size_t i = 1; i < start_frames_.size(); ++i)
+    {
+      filter_.add({camera_.instant_s(start_frames_[i].time_s), start_frames_[i].observations});
+      log_likelihood += filter_.latest().log_likelihood;
+    }
+    return log_likelihood;
+  }
+
+  /// All that was seen so far with one delay after the other; the likeliest is refined.
+  void SwimmerTwin::search_delay()
+  {
+    const DriftingParameter &prior = options_.parameters[TwinParameter::camera_delay];
+    std::stable_sort(start_frames_.begin(), start_frames_.end(),
+                     [](const Frame &a, const Frame &b) { return a.time_s < b.time_s; });
+    const double low  = std::max(0., prior.value - 2. * prior.standard_deviation),
+                 high = prior.value + 2. * prior.standard_deviation;
+    const int n       = std::max(1, static_cast<int>(std::ceil((high - low) / options_.delay_search_step_s)));
+    double    best = low, best_likelihood = -std::numeric_limits<double>::infinity();
+    for (int i = 0; i <= n; ++i)
+    {
+      const double delay_s = low + (high - low) * i / n, likelihood = run_through_start(delay_s);
+      if (likelihood > best_likelihood)
+      {
+        best            = delay_s;
+        best_likelihood = likelihood;
+      }
+    }
+    run_through_start(best);
+    for (int i = 0; i < 3; ++i)
+      run_through_start(belief().mean[layout_.place(TwinParameter::camera_delay)]);
+    is_searching_ = false;
+    start_frames_.clear();
+  }
+
+  void SwimmerTwin::keep_delay_reference()
+  {
+    if (!layout_.is_estimated(TwinParameter::camera_delay))
+      return;
+    const double delay_s = belief().mean[layout_.place(TwinParameter::camera_delay)],
+                 shift_s = camera_.reference_delay_s - delay_s;
+    if (std::abs(shift_s) < options_.delay_tolerance_s)
+      return;
+    camera_.reference_delay_s = delay_s;
+    filter_.retime([shift_s](const double time_s) { return time_s + shift_s; });
+  }
+
+  void SwimmerTwin::watch_for_jumps()
+  {
+    const auto finding = filter_.latest().jumps.most_likely();
+    if (!finding || now_s() < quiet_until_s_ || finding->ratio < options_.jumps.threshold || is_searching_)
+      return;
+    const JumpHypothesis &hypothesis = hypotheses_[static_cast<std::size_t>(finding->hypothesis)];
+    alarm_                           = JumpAlarm{hypothesis.name, *finding, now_s()};
+    filter_.widen(finding->size * hypothesis.direction);
+    quiet_until_s_ = now_s() + options_.jumps.settle_s;
+  }
+
+  void SwimmerTwin::field_changed_from(const double time_s)
+  {
+    if (has_started() && time_s < now_s())
+      filter_.revisit(time_s);
+  }
+
+  std::vector<UnlearnedDirection> SwimmerTwin::unlearned() const
+  {
+    std::vector<UnlearnedDirection> directions;
+    const int                       n = layout_.n_swimmer(), m = layout_.n_states() - n;
+    if (!has_started() || m == 0)
+      return directions;
+    // In units of what the prior would be by now without observations.
+    Eigen::VectorXd          unit(m);
+    std::vector<std::string> names;
+    for (int i = 0; i < n_twin_parameters; ++i)
+      if (const auto p = static_cast<TwinParameter>(i); layout_.is_estimated(p))
+      {
+        const DriftingParameter &parameter         = options_.parameters[p];
+        const bool               follows_viscosity = p == TwinParameter::stiffness || p == TwinParameter::magnetization;
+        const double walked = std::hypot(parameter.drift, follows_viscosity ? options_.parameters.viscosity_drift : 0.);
+        unit[layout_.place(p) - n] =
+            std::hypot(parameter.standard_deviation, walked * std::sqrt(std::max(0., now_s() - started_s_)));
+        names.emplace_back(twin_parameter_names[static_cast<std::size_t>(i)]);
+      }
+    const Eigen::MatrixXd scaled = unit.cwiseInverse().asDiagonal() * belief().root.bottomRows(m);
+    const SymmetricEigen  eigen  = symmetric_eigen(scaled * scaled.transpose());
+    for (Eigen::Index k = 0; k < m; ++k)
+    {
+      constexpr double hardly_learned = 0.9, matters = 0.2;
+      if (eigen.values[k] < hardly_learned)
+        continue;
+      UnlearnedDirection direction;
+      direction.variance_left = std::min(1., eigen.values[k]);
+      for (Eigen::Index i = 0; i < m; ++i)
+        if (std::abs(eigen.vectors(i, k)) > matters)
+          direction.direction.emplace_back(names[static_cast<std::size_t>(i)], eigen.vectors(i, k));
+      std::sort(direction.direction.begin(), direction.direction.end(),
+                [](const auto &a, const auto &b) { return std::abs(a.second) > std::abs(b.second); });
+      directions.push_back(std::move(direction));
+    }
+    return directions;
+  }
+
+  void SwimmerTwin::restore(const double time_s, const Belief &belief, const double reference_delay_s,
+                            const double started_s, const std::array<NoiseLevel, max_observation_kinds> &levels)
+  {
+    camera_.reference_delay_s = reference_delay_s;
+    filter_.start(time_s, belief, JumpTest(hypotheses_, options_.jumps.interval_s, options_.jumps.n_instants), &levels);
+    started_s_     = started_s;
+    quiet_until_s_ = time_s + options_.jumps.settle_s;
+    is_searching_  = false;
+  }
+} // namespace swimtwin

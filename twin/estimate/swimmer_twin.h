@@ -1,0 +1,93 @@
+// The estimator: where the swimmer is, how bent, what it became.
+#pragma once
+
+#include <twin/estimate/twin_options.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace swimtwin
+{
+  /// Something changed at once.
+  struct JumpAlarm
+  {
+    std::string name;
+    JumpFinding finding;
+    double      found_s = 0.;
+  };
+
+  /// Direction in the estimated parameters (of unit length, each in units of its prior's standard deviation), and the
+  /// share of the prior's variance that is left.
+  struct UnlearnedDirection
+  {
+    std::vector<std::pair<std::string, double>> direction; ///< entries that matter, largest first
+    double                                      variance_left = 1.;
+  };
+
+  /// Stays where it is made: its parts know each other. One thread.
+  class SwimmerTwin
+  {
+  public:
+    SwimmerTwin(const ReducedModel &model, const TwinOptions &options);
+    SwimmerTwin(const SwimmerTwin &)            = delete;
+    SwimmerTwin &operator=(const SwimmerTwin &) = delete;
+
+    /// What the coils play. A change of what was played earlier than the latest observation is made good by going
+    /// through the window again.
+    FieldSignal &field() { return field_; }
+    void         field_changed_from(double time_s);
+
+    /// Stamped by the camera's clock. The first frame that has a position starts the estimate; before it all are
+    /// too old.
+    Insertion see(double stamp_s, const std::vector<Observation> &observations);
+
+    bool   has_started() const { return filter_.has_started(); }
+    bool   is_searching_delay() const { return is_searching_; }
+    double now_s() const { return filter_.latest().time_s; } ///< instant of the latest frame
+    double started_s() const { return started_s_; }
+
+    const Belief         &belief() const { return filter_.latest().filtered; }
+    const WindowFilter   &filter() const { return filter_; }
+    WindowFilter         &filter() { return filter_; }
+    const TwinLayout     &layout() const { return layout_; }
+    TwinProcess          &process() { return process_; }
+    CameraSensor         &camera() { return camera_; }
+    const ReducedSwimmer &swimmer() const { return swimmer_; }
+    const TailAxis       &axis() const { return axis_; }
+    const TwinOptions    &options() const { return options_; }
+
+    /// The alarm that the last frame raised, if it did; the estimate has been widened to follow.
+    const std::optional<JumpAlarm> &alarm() const { return alarm_; }
+    /// Directions of which less than a tenth of the prior's variance went: they keep their prior.
+    std::vector<UnlearnedDirection> unlearned() const;
+
+    /// For a state that survives.
+    void restore(double time_s, const Belief &belief, double reference_delay_s, double started_s,
+                 const std::array<NoiseLevel, max_observation_kinds> &levels);
+
+  private:
+    void   start(double stamp_s, const std::vector<Observation> &observations);
+    Belief first_belief(double instant_s, const std::vector<Observation> &observations) const;
+    void   search_delay();
+    double run_through_start(double delay_s);
+    void   keep_delay_reference();
+    void   watch_for_jumps();
+
+    TwinOptions    options_;
+    ReducedModel   model_;
+    ReducedSwimmer swimmer_;
+    TailAxis       axis_;
+    FieldSignal    field_;
+    TwinLayout     layout_;
+    TwinProcess    process_;
+    CameraSensor   camera_;
+    WindowFilter   filter_;
+
+    std::vector<JumpHypothesis> hypotheses_;
+    std::optional<JumpAlarm>    alarm_;
+    std::vector<Frame>          start_frames_; ///< with stamps, while the delay is searched for
+    double                      started_s_ = 0., quiet_until_s_ = 0.;
+    bool                        is_searching_ = false;
+  };
+} // namespace swimtwin

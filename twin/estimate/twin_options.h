@@ -1,0 +1,50 @@
+// What a twin is to estimate, and what it is told at the start.
+#pragma once
+
+#include <rom/swimmer/swimmer_parameters.h>
+#include <twin/filter/window_filter.h>
+#include <twin/measurement/camera_sensor.h>
+#include <twin/motion/twin_process.h>
+
+#include <optional>
+
+namespace swimtwin
+{
+  /// Of the swimmer when it is first seen. Standard deviations of pose and shape.
+  struct StartBelief
+  {
+    std::optional<double> angle_rad; ///< of the head in the laboratory; none: seen, or along the field
+    double                angle_sd_rad = 0.5;
+    Eigen::VectorXd       shape_sd_m; ///< from straight, of each mode
+  };
+
+  struct JumpOptions
+  {
+    double interval_s = 0.6; ///< between instants at which something may have happened
+    int    n_instants = 8;   ///< how many of them are thought of
+    /// Twice the log of the likelihoods' ratio that is an alarm: with a chi-squared of one degree of freedom and a
+    /// hundred tries per period, 45 is passed once in 1e8 periods by chance; the model's own error asks for more.
+    double threshold = 60.;
+    double settle_s  = 3.; ///< after the start and after an alarm, before the next one
+  };
+
+  struct TwinOptions
+  {
+    SwimmerParameters nominal; ///< where the logarithms are 0
+    TwinParameters    parameters;
+    ModelNoise        noise;
+    FilterOptions     filter;
+    FirstSigmas       first_sigmas;
+    StartBelief       start;
+    JumpOptions       jumps;
+    double            largest_step_s = 1. / 30.;
+    /// An unknown delay is searched for with all that was seen in this time.
+    double delay_search_s      = 4.;
+    double delay_search_step_s = 0.025;
+    /// The estimated delay may be off the one that instants were made with by this.
+    double delay_tolerance_s = 0.003;
+  };
+
+  /// Sensible sizes for a swimmer in a field of this frequency; everything else is the user's.
+  TwinOptions default_twin_options(const ReducedModel &model, const SwimmerParameters &nominal, double frequency_Hz);
+} // namespace swimtwin
