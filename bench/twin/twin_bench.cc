@@ -103,8 +103,10 @@ namespace swimtwin
       }
       // The twin's instant is the stamp less what it takes for the delay.
       const Eigen::VectorXd truth  = lab.truth_in(twin.layout());
-      const Belief         &belief = twin.belief();
-      const int             n = twin.layout().n_swimmer(), k = twin.layout().n_states() - n;
+      Belief                belief = twin.belief();
+      belief.mean.head(m.swimmer.n_states()) +=
+          (lab.now_s() - twin.now_s()) * twin.process().rate(twin.now_s(), belief.mean);
+      const int n = twin.layout().n_swimmer(), k = twin.layout().n_states() - n;
       o.n                   = static_cast<double>(belief.size());
       o.state_error_squared = belief.distance_squared(truth);
       o.n_parameters        = k;
@@ -213,6 +215,11 @@ namespace swimtwin
       if (study == "jump")
       {
         c.lab.changes = {{15.3, TwinParameter::stiffness, std::log(0.5)}};
+        c.periods     = 24.;
+      }
+      if (study == "jump-late")
+      {
+        c.lab.changes = {{15.7, TwinParameter::stiffness, std::log(0.5)}};
         c.periods     = 24.;
       }
       if (study == "quiet")

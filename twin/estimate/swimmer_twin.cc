@@ -164,12 +164,12 @@ namespace swimtwin
 
   void SwimmerTwin::watch_for_jumps()
   {
-    const auto finding = filter_.latest().jumps.most_likely();
-    if (!finding || now_s() < quiet_until_s_ || finding->ratio < options_.jumps.threshold || is_searching_)
+    const auto finding = filter_.latest().jumps.most_likely(quiet_until_s_);
+    if (!finding || finding->ratio < options_.jumps.threshold || is_searching_)
       return;
     const JumpHypothesis &hypothesis = hypotheses_[static_cast<std::size_t>(finding->hypothesis)];
     alarm_                           = JumpAlarm{hypothesis.name, *finding, now_s()};
-    filter_.widen(finding->size * hypothesis.direction);
+    filter_.widen(finding->since_s, finding->since_s + options_.jumps.interval_s, finding->size * hypothesis.direction);
     quiet_until_s_ = now_s() + options_.jumps.settle_s;
   }
 

@@ -61,19 +61,19 @@ namespace swimtwin
     signatures_.noalias() -= record.gain * seen;
   }
 
-  std::optional<JumpFinding> JumpTest::most_likely() const
+  std::optional<JumpFinding> JumpTest::most_likely(const double earliest_s) const
   {
     std::optional<JumpFinding> best;
     for (int slot = 0; slot < n_slots_; ++slot)
       for (int h = 0; h < n_hypotheses_; ++h)
       {
-        const Eigen::Index k = column(slot, h);
-        if (start_s_[static_cast<std::size_t>(slot)] == not_in_use || information_[k] <= 0.)
+        const Eigen::Index k       = column(slot, h);
+        const double       start_s = start_s_[static_cast<std::size_t>(slot)];
+        if (start_s == not_in_use || start_s < earliest_s || information_[k] <= 0.)
           continue;
         const double ratio = score_[k] * score_[k] / information_[k];
         if (!best || ratio > best->ratio)
-          best = JumpFinding{h, start_s_[static_cast<std::size_t>(slot)], score_[k] / information_[k],
-                             1. / std::sqrt(information_[k]), ratio};
+          best = JumpFinding{h, start_s, score_[k] / information_[k], 1. / std::sqrt(information_[k]), ratio};
       }
     return best;
   }

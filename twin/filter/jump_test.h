@@ -4,6 +4,7 @@
 
 #include <twin/filter/square_root_filter.h>
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,8 +40,9 @@ namespace swimtwin
     void advance(double time_s, const Eigen::MatrixXd &transition);
     /// After an update.
     void learn(const UpdateRecord &record);
-    /// The most likely change; none without observations since.
-    std::optional<JumpFinding> most_likely() const;
+
+    /// The most likely change since an instant; none without observations since.
+    std::optional<JumpFinding> most_likely(double earliest_s = -std::numeric_limits<double>::infinity()) const;
     /// Forget all instants: the change has been dealt with.
     void restart();
 

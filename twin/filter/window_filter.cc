@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <tuple>
 
@@ -221,10 +222,22 @@ namespace swimtwin
     node.jumps.restart();
   }
 
-  void WindowFilter::widen(const Eigen::VectorXd &direction)
+  bool WindowFilter::widen(const double from_s, const double to_s, const Eigen::VectorXd &direction)
   {
-    widenings_.push_back({latest().time_s, direction});
-    apply(widenings_.back(), latest_node());
+    constexpr int n_times = 4;
+    const double  first_s = std::max(from_s, node(0).time_s);
+    double        last_s  = -std::numeric_limits<double>::infinity();
+    for (int k = 0; k < n_times; ++k)
+    {
+      const double wanted_s = first_s + (to_s - first_s) * k / (n_times - 1);
+      int          i        = 0;
+      while (i + 1 < n_nodes_ && (node(i).time_s < wanted_s || node(i).observations.empty()))
+        ++i;
+      if (node(i).time_s > last_s)
+        widenings_.push_back({node(i).time_s, direction});
+      last_s = std::max(last_s, node(i).time_s);
+    }
+    return revisit(first_s);
   }
 
   void WindowFilter::trim()

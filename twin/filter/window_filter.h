@@ -72,9 +72,9 @@ namespace swimtwin
     }
     /// Go through all after an instant again: the process has learned something about that time.
     bool revisit(double time_s);
-    /// Let the belief be wider in one direction from the latest instant on, and the test for jumps forget what was
-    /// before; replays keep to it.
-    void widen(const Eigen::VectorXd &direction);
+    /// Something changed between two instants: let the belief be wider in one direction at a few instants seen there,
+    /// and go through all since then again. The test for jumps forgets what was before.
+    bool widen(double from_s, double to_s, const Eigen::VectorXd &direction);
 
     int               n_nodes() const { return n_nodes_; }
     const FilterNode &node(const int i) const { return nodes_[static_cast<std::size_t>(i)]; }
