@@ -51,10 +51,12 @@ namespace swimtwin
     Case standard_case(const Model &m, const unsigned int seed)
     {
       Case c;
-      c.twin                                          = default_twin_options(m.model, m.nominal, frequency_Hz);
-      c.lab.nominal                                   = m.nominal;
-      c.lab.noise                                     = c.twin.noise;
-      c.lab.seed                                      = seed;
+      c.twin = default_twin_options(m.model, m.nominal, frequency_Hz);
+      // The reduced model is the truth: what the twin believes of its errors is what the laboratory does.
+      c.twin.noise  = {2.5e-8, 1e-4, 1e-4 * m.model.resistance.coordinate_scale_m.head(m.model.n_modes())};
+      c.lab.nominal = m.nominal;
+      c.lab.noise   = c.twin.noise;
+      c.lab.seed    = seed;
       c.lab.camera.position_sigma_m                   = 0.003 * m.swimmer.length_m();
       c.lab.camera.angle_sigma_rad                    = std::numbers::pi / 180.;
       c.twin.parameters[TwinParameter::stiffness]     = {0., 0.1, 1e-4};

@@ -1,21 +1,44 @@
-#include <rom/swimmer/state_scale.h>
 #include <twin/estimate/twin_options.h>
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace swimtwin
 {
+  namespace
+  {
+    /// Root mean square of the relative errors in the held-out runs; a model without any is taken to be 1 % off.
+    double held_out_error(const ReducedModel &model)
+    {
+      double sum = 0.;
+      for (const HeldOutRun &run : model.record.held_out_runs)
+        sum += std::pow(run.reduced_displacement_m / run.displacement_m - 1., 2);
+      const auto n = static_cast<double>(model.record.held_out_runs.size());
+      return n > 0. ? std::max(1e-3, std::sqrt(sum / n)) : 0.01;
+    }
+
+    /// In a period the model is off by this share of what moves in it: of a body length's fiftieth, of a swing of half
+    /// a radian, of half the trained amplitudes.
+    ModelNoise model_noise(const ReducedModel &model, const double length_m, const double period_s)
+    {
+      const double share = held_out_error(model) / std::sqrt(period_s);
+      return {0.02 * share * length_m, 0.5 * share,
+              0.5 * share * model.resistance.coordinate_scale_m.head(model.n_modes())};
+    }
+  } // namespace
+
   TwinOptions default_twin_options(const ReducedModel &model, const SwimmerParameters &nominal,
                                    const double frequency_Hz)
   {
     const double length_m = ReducedSwimmer(model).length_m();
-    const double period_s = 1. / frequency_Hz, stroke_m = stroke_per_length * length_m;
+    const double period_s = 1. / frequency_Hz;
     // Modes fade: each is unsure by a share of the amplitude that the model was trained for.
     const Eigen::VectorXd amplitude_m = model.resistance.coordinate_scale_m.head(model.n_modes());
     TwinOptions           options;
     options.nominal             = nominal;
     options.largest_step_s      = period_s / 40.;
-    options.noise               = {1e-4 * stroke_m, 1e-4, 1e-4 * amplitude_m};
+    options.noise               = model_noise(model, length_m, period_s);
     options.first_sigmas        = {0.003 * length_m, std::numbers::pi / 180.};
     options.start               = {{}, 0.5, 0.1 * amplitude_m};
     options.filter.window_s     = std::max(1., 2. * period_s);
