@@ -1,4 +1,5 @@
 #include <twin/estimate/swimmer_twin.h>
+#include <twin/filter/triangular_root.h>
 
 #include <rom/swimmer/dense_algebra.h>
 
@@ -70,7 +71,14 @@ namespace swimtwin
     }
     sd.head<2>().setConstant(swimmer_.length_m());
     sd.segment(3, swimmer_.n_modes()) = start.shape_sd_m;
-    return Belief::independent(mean, sd);
+    Belief belief = Belief::independent(mean, sd);
+    if (kept_parameters_)
+    {
+      const Eigen::Index k      = kept_parameters_->size();
+      belief.mean.tail(k)       = kept_parameters_->mean;
+      belief.root.bottomRightCorner(k, k) = kept_parameters_->root;
+    }
+    return belief;
   }
 
   void SwimmerTwin::start(const double stamp_s, const std::vector<Observation> &observations)
@@ -94,7 +102,7 @@ namespace swimtwin
                                             [](const Observation &o) { return o.kind == head_position; });
       if (!has_position)
         return Insertion::too_old;
-      is_searching_ = layout_.is_estimated(TwinParameter::camera_delay);
+      is_searching_ = layout_.is_estimated(TwinParameter::camera_delay) && !kept_parameters_;
       if (is_searching_)
         start_frames_.push_back({stamp_s, observations});
       start(stamp_s, observations);
@@ -217,13 +225,52 @@ namespace swimtwin
     return directions;
   }
 
-  void SwimmerTwin::restore(const double time_s, const Belief &belief, const double reference_delay_s,
-                            const double started_s, const std::array<NoiseLevel, max_observation_kinds> &levels)
+  void SwimmerTwin::forget_pose()
   {
-    camera_.reference_delay_s = reference_delay_s;
-    filter_.start(time_s, belief, JumpTest(hypotheses_, options_.jumps.interval_s, options_.jumps.n_instants), &levels);
-    started_s_     = started_s;
-    quiet_until_s_ = time_s + options_.jumps.settle_s;
-    is_searching_  = false;
+    if (!has_started())
+      return;
+    const int       n = layout_.n_swimmer(), k = layout_.n_states() - n;
+    Eigen::MatrixXd rows = belief().root.bottomRows(k).transpose();
+    Eigen::VectorXd workspace(k);
+    triangularise(rows, workspace);
+    kept_parameters_ = Belief{belief().mean.tail(k), rows.topRows(k).transpose()};
+    filter_.stop();
+    start_frames_.clear();
+    is_searching_ = false;
+  }
+
+  void SwimmerTwin::look_for_pose()
+  {
+    const Eigen::VectorXd zero = Eigen::VectorXd::Zero(layout_.n_states());
+    for (int i = 0; i < layout_.n_swimmer(); ++i)
+    {
+      Eigen::VectorXd direction = zero;
+      direction[i] = i < 2 ? swimmer_.length_m() : i == 2 ? options_.start.angle_sd_rad : options_.start.shape_sd_m[i - 3];
+      filter_.widen(now_s(), now_s(), direction);
+    }
+    quiet_until_s_ = now_s() + options_.jumps.settle_s;
+  }
+
+  SwimmerTwin::Memory SwimmerTwin::memory() const
+  {
+    const FilterNode &first = filter_.node(0);
+    Memory memory{first.time_s, started_s_, quiet_until_s_, camera_.reference_delay_s, first.filtered, first.noise_levels, {}, start_frames_, is_searching_};
+    for (int i = 1; i < filter_.n_nodes(); ++i)
+      if (const FilterNode &node = filter_.node(i); !node.observations.empty())
+        memory.frames.push_back({node.time_s, node.observations});
+    return memory;
+  }
+
+  void SwimmerTwin::restore(const Memory &memory)
+  {
+    camera_.reference_delay_s = memory.reference_delay_s;
+    filter_.start(memory.window_start_s, memory.at_window_start,
+                  JumpTest(hypotheses_, options_.jumps.interval_s, options_.jumps.n_instants), &memory.noise_levels);
+    for (const Frame &frame : memory.frames)
+      filter_.add(frame);
+    started_s_     = memory.started_s;
+    quiet_until_s_ = std::max(memory.quiet_until_s, now_s());
+    start_frames_  = memory.start_frames;
+    is_searching_  = memory.is_searching;
   }
 } // namespace swimtwin

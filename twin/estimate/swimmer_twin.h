@@ -51,7 +51,8 @@ namespace swimtwin
     const WindowFilter   &filter() const { return filter_; }
     WindowFilter         &filter() { return filter_; }
     const TwinLayout     &layout() const { return layout_; }
-    TwinProcess          &process() { return process_; }
+    TwinProcess        &process() { return process_; }
+    const CameraSensor &camera() const { return camera_; }
     CameraSensor         &camera() { return camera_; }
     const ReducedSwimmer &swimmer() const { return swimmer_; }
     const TailAxis       &axis() const { return axis_; }
@@ -62,9 +63,24 @@ namespace swimtwin
     /// Directions of which less than a tenth of the prior's variance went: they keep their prior.
     std::vector<UnlearnedDirection> unlearned() const;
 
-    /// For a state that survives.
-    void restore(double time_s, const Belief &belief, double reference_delay_s, double started_s,
-                 const std::array<NoiseLevel, max_observation_kinds> &levels);
+    /// Begin anew with the next frame that shows the head; what was learned of the parameters stays.
+    void forget_pose();
+    /// Frames are used again after none could be: pose and shape may be anything near where they were thought to be.
+    void look_for_pose();
+
+    /// What a later program needs to go on: the window's beginning and what was seen in it.
+    struct Memory
+    {
+      double                                        window_start_s = 0., started_s = 0., quiet_until_s = 0.;
+      double                                        reference_delay_s = 0.;
+      Belief                                        at_window_start;
+      std::array<NoiseLevel, max_observation_kinds> noise_levels;
+      std::vector<Frame>                            frames;       ///< at instants, within the window
+      std::vector<Frame>                            start_frames; ///< with stamps, while the delay is searched for
+      bool                                          is_searching = false;
+    };
+    Memory memory() const;
+    void   restore(const Memory &memory);
 
   private:
     void   start(double stamp_s, const std::vector<Observation> &observations);
@@ -86,6 +102,7 @@ namespace swimtwin
 
     std::vector<JumpHypothesis> hypotheses_;
     std::optional<JumpAlarm>    alarm_;
+    std::optional<Belief>       kept_parameters_; ///< of before the pose was forgotten
     std::vector<Frame>          start_frames_; ///< with stamps, while the delay is searched for
     double                      started_s_ = 0., quiet_until_s_ = 0.;
     bool                        is_searching_ = false;

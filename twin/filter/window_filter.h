@@ -56,6 +56,7 @@ namespace swimtwin
     void start(double time_s, const Belief &belief, const JumpTest &jumps = {},
                const std::array<NoiseLevel, max_observation_kinds> *levels = nullptr);
     bool has_started() const { return n_nodes_ > 0; }
+    void stop() { n_nodes_ = 0; }
 
     Insertion add(const Frame &frame);
     /// Go through the whole window again with frames at other times: `new_time_s(old)`. For a sensor whose reference

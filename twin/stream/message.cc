@@ -217,7 +217,7 @@ namespace swimtwin
     Entries          entries(json, "the line");
     const auto       type = entries.text("type");
     if (!type)
-      throw InputError("the line lacks its type; send \"type\": \"frame\", \"field\", \"drive\" or \"restart\".");
+      throw InputError("the line lacks its type; send \"type\": \"frame\", \"field\", \"drive\", \"restart\" or \"end\".");
     if (const auto version = entries.number("version", largest_time_s); version && *version != stream_version)
       throw InputError(fmt::format("version {:.6g} of the stream is not known; this program speaks version {}.",
                                    *version, stream_version));
@@ -230,9 +230,11 @@ namespace swimtwin
       message = read_drive(entries);
     else if (*type == "restart")
       message = RestartMessage();
+    else if (*type == "end")
+      message = EndMessage();
     else
       throw InputError(fmt::format("type {} is not known; did you mean {}?", shown(*type),
-                                   nearest_name(*type, {"frame", "field", "drive", "restart"})));
+                                   nearest_name(*type, {"frame", "field", "drive", "restart", "end"})));
     entries.finish();
     return message;
   }

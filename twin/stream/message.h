@@ -24,7 +24,12 @@ namespace swimtwin
   {
   };
 
-  using Message = std::variant<Frame, FieldSample, DriveMessage, RestartMessage>;
+  /// Nothing comes any more.
+  struct EndMessage
+  {
+  };
+
+  using Message = std::variant<Frame, FieldSample, DriveMessage, RestartMessage, EndMessage>;
 
   /// Read a line of JSON (docs/file-formats.md, "The twin's stream"). Throws InputError of one sentence that says what
   /// is wrong with the line and what to do, without its number.

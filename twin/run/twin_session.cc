@@ -1,0 +1,236 @@
+#include <datasets/system/error.h>
+#include <twin/filter/smoother.h>
+#include <twin/run/twin_session.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace swimtwin
+{
+  namespace
+  {
+    constexpr int    frames_of_a_new_clock = 30;  ///< refused one after the other: the clock began anew
+    constexpr double open_every_periods    = 10.; ///< what keeps its prior is said so often
+    constexpr int    forecast_instants     = 8;   ///< per period
+  } // namespace
+
+  TwinSession::TwinSession(const ReducedModel &model, const TwinConfig &config, Listeners listeners)
+      : model_(model), config_(config), listeners_(std::move(listeners)), twin_(model, config.options),
+        watchdog_(twin_, model, config.watch, config.period_s)
+  {
+    if (config.drive)
+      twin_.field().play(config.drive_start_s, *config.drive);
+  }
+
+  void TwinSession::greet()
+  {
+    listeners_.say(greeting_line(twin_, model_.scene_name));
+  }
+
+  void TwinSession::refuse(const std::string &sentence)
+  {
+    ++counts_.n_errors;
+    listeners_.say(error_line(counts_.n_lines, sentence));
+  }
+
+  void TwinSession::refuse_long_line(const std::size_t most_bytes)
+  {
+    ++counts_.n_lines;
+    refuse(fmt::format("the line is longer than {} bytes and was thrown away; send frames with fewer points, each on a "
+                       "line of its own.",
+                       most_bytes));
+  }
+
+  void TwinSession::take(const std::string_view line)
+  {
+    ++counts_.n_lines;
+    if (line.find_first_not_of(" \t\r") == std::string_view::npos)
+      return;
+    try
+    {
+      Message message = parse_message(line, config_.camera);
+      if (auto *frame = std::get_if<Frame>(&message))
+        see(std::move(*frame));
+      else if (const auto *sample = std::get_if<FieldSample>(&message))
+        hear(*sample);
+      else if (const auto *drive = std::get_if<DriveMessage>(&message))
+        hear(*drive);
+      else if (std::holds_alternative<RestartMessage>(message))
+        restart();
+      else
+        has_ended_ = true;
+    }
+    catch (const InputError &error)
+    {
+      refuse(error.what());
+    }
+  }
+
+  void TwinSession::restart()
+  {
+    twin_.forget_pose();
+    n_refused_in_a_row_ = 0;
+    next_forecast_s_ = next_open_s_ = -1e300;
+  }
+
+  /// A clock that leaps is an error of one frame, until so many agree that it is the clock.
+  void TwinSession::require_plausible_time(const Frame &frame)
+  {
+    const double ahead_s = frame.time_s - (twin_.now_s() + twin_.camera().reference_delay_s);
+    if (ahead_s <= config_.largest_gap_s)
+      return;
+    if (++n_refused_in_a_row_ < frames_of_a_new_clock)
+      throw InputError(fmt::format("time_s = {:.6g} is {:.4g} s after the last frame, more than [filter] largest_gap_s = "
+                                   "{:.4g}; check the clock, or send {{\"type\": \"restart\"}} first.",
+                                   frame.time_s, ahead_s, config_.largest_gap_s));
+  }
+
+  void TwinSession::see(Frame frame)
+  {
+    ++counts_.n_frames;
+    if (twin_.has_started())
+      require_plausible_time(frame);
+    const bool is_older = twin_.has_started() && twin_.camera().instant_s(frame.time_s) <= twin_.filter().node(0).time_s;
+    if (is_older)
+      ++n_refused_in_a_row_;
+    if (n_refused_in_a_row_ >= frames_of_a_new_clock)
+    {
+      tell({{"clock-jumped", frame.time_s, fmt::format("{} frames in a row are of another time", n_refused_in_a_row_),
+             "nothing: the pose is found anew; keep the camera's and the coils' clocks the same"}},
+           frame.time_s);
+      restart();
+    }
+    else if (is_older)
+    {
+      ++counts_.n_late;
+      throw InputError(fmt::format("time_s = {:.6g} is before the window, which begins at {:.6g}; send frames sooner, or "
+                                   "raise [filter] window_s = {:.4g}.",
+                                   frame.time_s, twin_.filter().node(0).time_s + twin_.camera().reference_delay_s,
+                                   config_.options.filter.window_s));
+    }
+    switch (twin_.see(frame.time_s, frame.observations))
+    {
+    case Insertion::too_old:
+      throw InputError("the frame cannot begin the estimate, because it does not show the head; send x_m and y_m first.");
+    case Insertion::failed:
+      twin_.forget_pose();
+      throw InputError(fmt::format("the model finds no motion that leads to time_s = {:.6g} and begins anew; check the "
+                                   "field and the values of the frame.",
+                                   frame.time_s));
+    case Insertion::replayed:
+      ++counts_.n_late;
+      break;
+    case Insertion::in_order:
+      break;
+    }
+    n_refused_in_a_row_ = 0;
+    answer_frame(frame);
+  }
+
+  void TwinSession::answer_frame(const Frame &frame)
+  {
+    if (!twin_.belief().mean.allFinite() || !twin_.belief().root.allFinite())
+    {
+      twin_.forget_pose();
+      throw InputError("the frame leaves no finite estimate, which begins anew; check its values.");
+    }
+    const Eigen::Vector2d field_T = twin_.process().field_T(twin_.now_s(), twin_.belief().mean);
+    tell(watchdog_.look(frame, field_T), twin_.now_s());
+    if (watchdog_.is_lost())
+    {
+      twin_.look_for_pose();
+      watchdog_.found_again(twin_.now_s());
+    }
+    const FilterNode &node = twin_.filter().latest();
+    EstimateRecord    r{node.time_s, counts_.n_lines, false, node.filtered, node.innovations, watchdog_.significance(),
+                     watchdog_.trust(node.time_s), watchdog_.flags()};
+    if (twin_.is_searching_delay())
+      r.flags.emplace_back("searching-delay");
+    listeners_.say(estimate_line(twin_, r));
+    listeners_.note(r);
+    tell_now_and_then();
+  }
+
+  void TwinSession::tell(const std::vector<Alarm> &alarms, const double time_s)
+  {
+    for (const Alarm &alarm : alarms)
+    {
+      counts_.n_alarms += !alarm.is_over;
+      listeners_.say(alarm_line(alarm, time_s));
+    }
+  }
+
+  void TwinSession::tell_now_and_then()
+  {
+    const double now_s = twin_.now_s();
+    if (config_.output.forecast_periods > 0. && now_s >= next_forecast_s_ && !twin_.is_searching_delay())
+    {
+      forecast();
+      if (config_.output.smoothing_lag_s > 0.)
+        smooth();
+      next_forecast_s_ = now_s + config_.output.forecast_every_s;
+    }
+    if (now_s >= next_open_s_)
+    {
+      if (next_open_s_ > -1e299)
+        listeners_.say(open_line(now_s, twin_.unlearned()));
+      next_open_s_ = now_s + open_every_periods * config_.period_s;
+    }
+  }
+
+  void TwinSession::forecast()
+  {
+    ForecastRecord r{twin_.now_s(), {}};
+    Belief         belief = twin_.belief();
+    const int      n      = std::max(1, static_cast<int>(std::lround(config_.output.forecast_periods * forecast_instants)));
+    const double   step_s = config_.output.forecast_periods * config_.period_s / n;
+    for (int i = 0; i < n; ++i)
+    {
+      if (!twin_.filter().predict(r.from_s + i * step_s, r.from_s + (i + 1) * step_s, belief))
+        break;
+      r.instants.emplace_back(r.from_s + (i + 1) * step_s, belief);
+    }
+    listeners_.say(forecast_line(twin_, r));
+  }
+
+  void TwinSession::smooth()
+  {
+    const WindowFilter &filter  = twin_.filter();
+    const double        wanted_s = twin_.now_s() - config_.output.smoothing_lag_s;
+    int                 i        = 0;
+    while (i + 1 < filter.n_nodes() && filter.node(i).time_s < wanted_s)
+      ++i;
+    if (filter.n_nodes() > 1)
+      listeners_.say(smoothed_line(twin_, filter.node(i).time_s, smoothed_beliefs(filter, i).front()));
+  }
+
+  void TwinSession::hear(const FieldSample &sample)
+  {
+    twin_.field().add(sample);
+    twin_.field_changed_from(sample.time_s);
+    if (twin_.has_started())
+    {
+      twin_.field().forget_before(twin_.filter().node(0).time_s - config_.period_s);
+      tell(watchdog_.wait(std::min(sample.time_s, twin_.now_s() + config_.largest_gap_s)), sample.time_s);
+    }
+  }
+
+  void TwinSession::hear(const DriveMessage &drive)
+  {
+    twin_.field().play_sinusoid(drive.time_s, drive.bx_T, drive.by_T, drive.frequency_Hz);
+    twin_.field_changed_from(drive.time_s);
+  }
+
+  void TwinSession::wait(const double time_s)
+  {
+    tell(watchdog_.wait(time_s), time_s);
+  }
+
+  void TwinSession::finish()
+  {
+    if (twin_.has_started())
+      listeners_.say(open_line(twin_.now_s(), twin_.unlearned()));
+    listeners_.say(end_line(counts_));
+  }
+} // namespace swimtwin

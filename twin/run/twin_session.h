@@ -1,0 +1,68 @@
+// A conversation with the twin: lines in, lines out. No files, no clocks: the same lines give the same answers.
+#pragma once
+
+#include <twin/stream/records.h>
+#include <twin/stream/twin_config.h>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <functional>
+#include <string_view>
+
+namespace swimtwin
+{
+  class TwinSession
+  {
+  public:
+    /// `say` gets each line of the answer, without its line break; `note` each estimate made from a frame.
+    struct Listeners
+    {
+      std::function<void(const std::string &)>    say  = [](const std::string &) {};
+      std::function<void(const EstimateRecord &)> note = [](const EstimateRecord &) {};
+    };
+
+    /// `model` must live as long.
+    TwinSession(const ReducedModel &model, const TwinConfig &config, Listeners listeners);
+
+    void greet();
+    /// One line of the stream. What is wrong with it is answered by an error line.
+    void take(std::string_view line);
+    /// A line that was longer than lines may be, and was thrown away.
+    void refuse_long_line(std::size_t most_bytes);
+    /// No line came, and the clock of the frames' stamps shows this.
+    void wait(double time_s);
+    void finish();
+
+    bool                has_ended() const { return has_ended_; }
+    const StreamCounts &counts() const { return counts_; }
+    const SwimmerTwin  &twin() const { return twin_; }
+
+    /// All that a later session needs to go on as if nothing had happened; null before the first frame.
+    nlohmann::ordered_json memory() const;
+    /// Throws InputError for what memory() did not write.
+    void restore(const nlohmann::ordered_json &memory);
+
+  private:
+    void see(Frame frame);
+    void hear(const FieldSample &sample);
+    void hear(const DriveMessage &drive);
+    void restart();
+    void require_plausible_time(const Frame &frame);
+    void answer_frame(const Frame &frame);
+    void tell(const std::vector<Alarm> &alarms, double time_s);
+    void tell_now_and_then();
+    void forecast();
+    void smooth();
+    void refuse(const std::string &sentence);
+
+    const ReducedModel &model_;
+    TwinConfig          config_;
+    Listeners           listeners_;
+    SwimmerTwin         twin_;
+    Watchdog            watchdog_;
+    StreamCounts        counts_;
+    bool                has_ended_      = false;
+    double              next_forecast_s_ = -1e300, next_open_s_ = -1e300;
+    int                 n_refused_in_a_row_ = 0;
+  };
+} // namespace swimtwin
