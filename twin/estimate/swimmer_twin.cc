@@ -110,6 +110,9 @@ namespace swimtwin
     }
     if (is_searching_)
       start_frames_.push_back({stamp_s, observations});
+    if (revisit_from_s_ < now_s())
+      filter_.revisit(revisit_from_s_);
+    revisit_from_s_ = std::numeric_limits<double>::infinity();
     const Insertion insertion = filter_.add({camera_.instant_s(stamp_s), observations});
     if (is_searching_ && now_s() - started_s_ >= options_.delay_search_s)
       search_delay();
@@ -181,12 +184,6 @@ namespace swimtwin
     quiet_until_s_ = now_s() + options_.jumps.settle_s;
   }
 
-  void SwimmerTwin::field_changed_from(const double time_s)
-  {
-    if (has_started() && time_s < now_s())
-      filter_.revisit(time_s);
-  }
-
   std::vector<UnlearnedDirection> SwimmerTwin::unlearned() const
   {
     std::vector<UnlearnedDirection> directions;
@@ -254,7 +251,7 @@ namespace swimtwin
   SwimmerTwin::Memory SwimmerTwin::memory() const
   {
     const FilterNode &first = filter_.node(0);
-    Memory memory{first.time_s, started_s_, quiet_until_s_, camera_.reference_delay_s, first.filtered, first.noise_levels, {}, start_frames_, is_searching_};
+    Memory memory{first.time_s, started_s_, quiet_until_s_, camera_.reference_delay_s, first.filtered, first.noise_levels, {}, start_frames_, is_searching_, kept_parameters_};
     for (int i = 1; i < filter_.n_nodes(); ++i)
       if (const FilterNode &node = filter_.node(i); !node.observations.empty())
         memory.frames.push_back({node.time_s, node.observations});
@@ -272,5 +269,6 @@ namespace swimtwin
     quiet_until_s_ = std::max(memory.quiet_until_s, now_s());
     start_frames_  = memory.start_frames;
     is_searching_  = memory.is_searching;
+    kept_parameters_ = memory.kept_parameters;
   }
 } // namespace swimtwin

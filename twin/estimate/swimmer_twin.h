@@ -3,7 +3,8 @@
 
 #include <twin/estimate/twin_options.h>
 
-#include <memory>
+#include <algorithm>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -35,8 +36,9 @@ namespace swimtwin
 
     /// What the coils play. A change of what was played earlier than the latest observation is made good by going
     /// through the window again.
-    FieldSignal &field() { return field_; }
-    void         field_changed_from(double time_s);
+    FieldSignal       &field() { return field_; }
+    const FieldSignal &field() const { return field_; }
+    void         field_changed_from(double time_s) { revisit_from_s_ = std::min(revisit_from_s_, time_s); }
 
     /// Stamped by the camera's clock. The first frame that has a position starts the estimate; before it all are
     /// too old.
@@ -78,6 +80,7 @@ namespace swimtwin
       std::vector<Frame>                            frames;       ///< at instants, within the window
       std::vector<Frame>                            start_frames; ///< with stamps, while the delay is searched for
       bool                                          is_searching = false;
+      std::optional<Belief>                         kept_parameters; ///< of before the pose was forgotten
     };
     Memory memory() const;
     void   restore(const Memory &memory);
@@ -105,6 +108,7 @@ namespace swimtwin
     std::optional<Belief>       kept_parameters_; ///< of before the pose was forgotten
     std::vector<Frame>          start_frames_; ///< with stamps, while the delay is searched for
     double                      started_s_ = 0., quiet_until_s_ = 0.;
+    double                      revisit_from_s_ = std::numeric_limits<double>::infinity();
     bool                        is_searching_ = false;
   };
 } // namespace swimtwin

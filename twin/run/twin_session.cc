@@ -1,5 +1,6 @@
 #include <datasets/system/error.h>
 #include <twin/filter/smoother.h>
+#include <twin/run/session_memory.h>
 #include <twin/run/twin_session.h>
 
 #include <fmt/format.h>
@@ -232,5 +233,34 @@ namespace swimtwin
     if (twin_.has_started())
       listeners_.say(open_line(twin_.now_s(), twin_.unlearned()));
     listeners_.say(end_line(counts_));
+  }
+
+  nlohmann::ordered_json TwinSession::memory() const
+  {
+    if (!twin_.has_started())
+      return nullptr;
+    RememberedSession session;
+    session.counts          = counts_;
+    session.next_forecast_s = next_forecast_s_;
+    session.next_open_s     = next_open_s_;
+    remember(twin_.field(), session);
+    remember(twin_.memory(), session);
+    return json_of(session);
+  }
+
+  void TwinSession::restore(const nlohmann::ordered_json &memory)
+  {
+    RememberedSession session;
+    read_json(memory, session);
+    const Eigen::Index n = twin_.layout().n_states();
+    if (session.at_window_start.size() != n || session.at_window_start.root.rows() != n ||
+        session.at_window_start.root.cols() != n)
+      throw InputError(fmt::format("has a state of {} numbers where this model and configuration have {}",
+                                   session.at_window_start.size(), n));
+    recall(session, config_.drive ? &*config_.drive : nullptr, twin_.field());
+    twin_.restore(recall(session));
+    counts_          = session.counts;
+    next_forecast_s_ = session.next_forecast_s;
+    next_open_s_     = session.next_open_s;
   }
 } // namespace swimtwin
