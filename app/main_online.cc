@@ -14,5 +14,7 @@ int main(int argc, char **argv)
                    {"calibrate", add_calibrate},
                    {"optimize", add_optimize},
                    {"track", add_track},
+                   {"twin", add_twin},
+                   {"lab", add_lab},
                    {"report", add_report}});
 }

@@ -44,6 +44,8 @@ namespace swimtwin
   Work add_reconstruct(CLI::App &tool, const std::string &command_line);
   Work add_optimize(CLI::App &tool, const std::string &command_line);
   Work add_track(CLI::App &tool, const std::string &command_line);
+  Work add_lab(CLI::App &tool, const std::string &command_line);
+  Work add_twin(CLI::App &tool, const std::string &command_line);
   Work add_report(CLI::App &tool, const std::string &command_line);
   Work add_demo(CLI::App &tool, const std::string &command_line);
 } // namespace swimtwin

@@ -6,6 +6,7 @@
 #include <reports/plan/plan_files.h>
 #include <reports/plan/track_files.h>
 #include <reports/sweep/sweep_files.h>
+#include <twin/run/twin_folder.h>
 
 #include <string>
 
@@ -125,11 +126,28 @@ namespace swimtwin
       static const WrittenFiles files{"demo", demo_files(), "", ""};
       return files;
     }
+
+    const WrittenFiles &twin()
+    {
+      static const WrittenFiles files{
+          "twin",
+          {twin_table_name, twin_summary_name, twin_state_name, "twin-journal-[0-9]*.jsonl"},
+          "",
+          twin_summary_name};
+      return files;
+    }
+
+    const WrittenFiles &lab()
+    {
+      static const WrittenFiles files{"lab", {"truth.csv"}, "", ""};
+      return files;
+    }
   } // namespace written_by
 
   std::vector<WrittenFiles> all_written_files()
   {
     using namespace written_by;
-    return {simulate(), optimize(), resistance(), train(), sweep(), calibrate(), report(), plan(), demo()};
+    return {simulate(), optimize(), resistance(), train(), sweep(), calibrate(),
+            report(),   plan(),     demo(),       twin(),  lab()};
   }
 } // namespace swimtwin

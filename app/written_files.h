@@ -19,6 +19,8 @@ namespace swimtwin
     const WrittenFiles &report();
     const WrittenFiles &plan();
     const WrittenFiles &demo();
+    const WrittenFiles &twin();
+    const WrittenFiles &lab();
   } // namespace written_by
 
   std::vector<WrittenFiles> all_written_files();

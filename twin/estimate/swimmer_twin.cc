@@ -49,7 +49,7 @@ namespace swimtwin
     camera_.reference_delay_s = options.parameters[TwinParameter::camera_delay].value;
   }
 
-  Belief SwimmerTwin::first_belief(const double instant_s, const std::vector<Observation> &observations) const
+  Belief SwimmerTwin::first_belief(const double instant_s, const std::vector<Sighting> &observations) const
   {
     Eigen::VectorXd mean = Eigen::VectorXd::Zero(layout_.n_states()), sd = mean;
     for (int i = 0; i < n_twin_parameters; ++i)
@@ -62,7 +62,7 @@ namespace swimtwin
     const Eigen::Vector2d field = field_.value_T(instant_s);
     mean[2]                     = start.angle_rad.value_or(field.norm() > 0. ? std::atan2(field.y(), field.x()) : 0.);
     sd[2]                       = start.angle_sd_rad;
-    for (const Observation &o : observations)
+    for (const Sighting &o : observations)
     {
       if (o.kind == head_position)
         mean.head<2>() = camera_.in_laboratory(o.value, mean);
@@ -71,17 +71,17 @@ namespace swimtwin
     }
     sd.head<2>().setConstant(swimmer_.length_m());
     sd.segment(3, swimmer_.n_modes()) = start.shape_sd_m;
-    Belief belief = Belief::independent(mean, sd);
+    Belief belief                     = Belief::independent(mean, sd);
     if (kept_parameters_)
     {
-      const Eigen::Index k      = kept_parameters_->size();
-      belief.mean.tail(k)       = kept_parameters_->mean;
+      const Eigen::Index k                = kept_parameters_->size();
+      belief.mean.tail(k)                 = kept_parameters_->mean;
       belief.root.bottomRightCorner(k, k) = kept_parameters_->root;
     }
     return belief;
   }
 
-  void SwimmerTwin::start(const double stamp_s, const std::vector<Observation> &observations)
+  void SwimmerTwin::start(const double stamp_s, const std::vector<Sighting> &observations)
   {
     const double instant_s = camera_.instant_s(stamp_s);
     filter_.start(instant_s, first_belief(instant_s, observations),
@@ -93,13 +93,13 @@ namespace swimtwin
     quiet_until_s_ = instant_s + options_.jumps.settle_s;
   }
 
-  Insertion SwimmerTwin::see(const double stamp_s, const std::vector<Observation> &observations)
+  Insertion SwimmerTwin::see(const double stamp_s, const std::vector<Sighting> &observations)
   {
     alarm_.reset();
     if (!has_started())
     {
       const bool has_position = std::any_of(observations.begin(), observations.end(),
-                                            [](const Observation &o) { return o.kind == head_position; });
+                                            [](const Sighting &o) { return o.kind == head_position; });
       if (!has_position)
         return Insertion::too_old;
       is_searching_ = layout_.is_estimated(TwinParameter::camera_delay) && !kept_parameters_;
@@ -112,7 +112,7 @@ namespace swimtwin
       start_frames_.push_back({stamp_s, observations});
     if (revisit_from_s_ < now_s())
       filter_.revisit(revisit_from_s_);
-    revisit_from_s_ = std::numeric_limits<double>::infinity();
+    revisit_from_s_           = std::numeric_limits<double>::infinity();
     const Insertion insertion = filter_.add({camera_.instant_s(stamp_s), observations});
     if (is_searching_ && now_s() - started_s_ >= options_.delay_search_s)
       search_delay();
@@ -242,7 +242,9 @@ namespace swimtwin
     for (int i = 0; i < layout_.n_swimmer(); ++i)
     {
       Eigen::VectorXd direction = zero;
-      direction[i] = i < 2 ? swimmer_.length_m() : i == 2 ? options_.start.angle_sd_rad : options_.start.shape_sd_m[i - 3];
+      direction[i]              = i < 2    ? swimmer_.length_m()
+                                  : i == 2 ? options_.start.angle_sd_rad
+                                           : options_.start.shape_sd_m[i - 3];
       filter_.widen(now_s(), now_s(), direction);
     }
     quiet_until_s_ = now_s() + options_.jumps.settle_s;
@@ -251,7 +253,9 @@ namespace swimtwin
   SwimmerTwin::Memory SwimmerTwin::memory() const
   {
     const FilterNode &first = filter_.node(0);
-    Memory memory{first.time_s, started_s_, quiet_until_s_, camera_.reference_delay_s, first.filtered, first.noise_levels, {}, start_frames_, is_searching_, kept_parameters_};
+    Memory            memory{
+        first.time_s, started_s_,    quiet_until_s_, camera_.reference_delay_s, first.filtered, first.noise_levels,
+        {},           start_frames_, is_searching_,  kept_parameters_};
     for (int i = 1; i < filter_.n_nodes(); ++i)
       if (const FilterNode &node = filter_.node(i); !node.observations.empty())
         memory.frames.push_back({node.time_s, node.observations});
@@ -265,10 +269,10 @@ namespace swimtwin
                   JumpTest(hypotheses_, options_.jumps.interval_s, options_.jumps.n_instants), &memory.noise_levels);
     for (const Frame &frame : memory.frames)
       filter_.add(frame);
-    started_s_     = memory.started_s;
-    quiet_until_s_ = std::max(memory.quiet_until_s, now_s());
-    start_frames_  = memory.start_frames;
-    is_searching_  = memory.is_searching;
+    started_s_       = memory.started_s;
+    quiet_until_s_   = std::max(memory.quiet_until_s, now_s());
+    start_frames_    = memory.start_frames;
+    is_searching_    = memory.is_searching;
     kept_parameters_ = memory.kept_parameters;
   }
 } // namespace swimtwin

@@ -38,11 +38,11 @@ namespace swimtwin
     /// through the window again.
     FieldSignal       &field() { return field_; }
     const FieldSignal &field() const { return field_; }
-    void         field_changed_from(double time_s) { revisit_from_s_ = std::min(revisit_from_s_, time_s); }
+    void               field_changed_from(double time_s) { revisit_from_s_ = std::min(revisit_from_s_, time_s); }
 
     /// Stamped by the camera's clock. The first frame that has a position starts the estimate; before it all are
     /// too old.
-    Insertion see(double stamp_s, const std::vector<Observation> &observations);
+    Insertion see(double stamp_s, const std::vector<Sighting> &observations);
 
     bool   has_started() const { return filter_.has_started(); }
     bool   is_searching_delay() const { return is_searching_; }
@@ -53,8 +53,8 @@ namespace swimtwin
     const WindowFilter   &filter() const { return filter_; }
     WindowFilter         &filter() { return filter_; }
     const TwinLayout     &layout() const { return layout_; }
-    TwinProcess        &process() { return process_; }
-    const CameraSensor &camera() const { return camera_; }
+    TwinProcess          &process() { return process_; }
+    const CameraSensor   &camera() const { return camera_; }
     CameraSensor         &camera() { return camera_; }
     const ReducedSwimmer &swimmer() const { return swimmer_; }
     const TailAxis       &axis() const { return axis_; }
@@ -86,8 +86,8 @@ namespace swimtwin
     void   restore(const Memory &memory);
 
   private:
-    void   start(double stamp_s, const std::vector<Observation> &observations);
-    Belief first_belief(double instant_s, const std::vector<Observation> &observations) const;
+    void   start(double stamp_s, const std::vector<Sighting> &observations);
+    Belief first_belief(double instant_s, const std::vector<Sighting> &observations) const;
     void   search_delay();
     double run_through_start(double delay_s);
     void   keep_delay_reference();
@@ -106,9 +106,9 @@ namespace swimtwin
     std::vector<JumpHypothesis> hypotheses_;
     std::optional<JumpAlarm>    alarm_;
     std::optional<Belief>       kept_parameters_; ///< of before the pose was forgotten
-    std::vector<Frame>          start_frames_; ///< with stamps, while the delay is searched for
+    std::vector<Frame>          start_frames_;    ///< with stamps, while the delay is searched for
     double                      started_s_ = 0., quiet_until_s_ = 0.;
     double                      revisit_from_s_ = std::numeric_limits<double>::infinity();
-    bool                        is_searching_ = false;
+    bool                        is_searching_   = false;
   };
 } // namespace swimtwin

@@ -11,21 +11,21 @@ namespace swimtwin
   inline constexpr int max_observation_kinds = 4;
 
   /// One or two numbers seen at one instant.
-  struct Observation
+  struct Sighting
   {
     int             kind  = 0; ///< below max_observation_kinds
     Eigen::Vector2d value = Eigen::Vector2d::Zero();
     double          sigma = 0.; ///< standard deviation of each number; 0: learned from the innovations
     double          place = 0.; ///< where it was seen; its meaning is the sensor's
 
-    bool operator==(const Observation &) const = default;
+    bool operator==(const Sighting &) const = default;
   };
 
   /// Everything seen at one instant.
   struct Frame
   {
-    double                   time_s = 0.; ///< when it was captured
-    std::vector<Observation> observations;
+    double                time_s = 0.; ///< when it was captured
+    std::vector<Sighting> observations;
   };
 
   class Process
@@ -47,12 +47,12 @@ namespace swimtwin
   public:
     virtual ~Sensor() = default;
 
-    virtual Eigen::Index n_rows(const Observation &observation) const = 0;
+    virtual Eigen::Index n_rows(const Sighting &observation) const = 0;
     /// Where there is no sigma: what the learning starts from.
     virtual double first_sigma(int kind) const = 0;
     /// Observed minus expected of a state at this instant (n_rows), and the derivative of what is expected by the state
     /// (n_rows x n).
-    virtual void look(const Observation &observation, double time_s, const Eigen::VectorXd &state,
+    virtual void look(const Sighting &observation, double time_s, const Eigen::VectorXd &state,
                       Eigen::Ref<Eigen::VectorXd> residual, Eigen::Ref<Eigen::MatrixXd> slopes) = 0;
   };
 } // namespace swimtwin

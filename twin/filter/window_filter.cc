@@ -10,7 +10,7 @@ namespace swimtwin
 {
   namespace
   {
-    bool comes_before(const Observation &a, const Observation &b)
+    bool comes_before(const Sighting &a, const Sighting &b)
     {
       return std::make_tuple(a.kind, a.place, a.value.x(), a.value.y(), a.sigma) <
              std::make_tuple(b.kind, b.place, b.value.x(), b.value.y(), b.sigma);
@@ -83,7 +83,7 @@ namespace swimtwin
     return true;
   }
 
-  void WindowFilter::take_in(const Observation &observation, Innovation &innovation, FilterNode &node)
+  void WindowFilter::take_in(const Sighting &observation, Innovation &innovation, FilterNode &node)
   {
     const Eigen::Index m        = sensor_.n_rows(observation);
     auto               residual = residual_.head(m);
@@ -135,7 +135,7 @@ namespace swimtwin
         apply(widening, node);
   }
 
-  void WindowFilter::gather(const double time_s, const std::vector<Observation> &observations)
+  void WindowFilter::gather(const double time_s, const std::vector<Sighting> &observations)
   {
     if (n_frames_ == frames_.size())
       frames_.emplace_back();

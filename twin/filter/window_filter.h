@@ -30,7 +30,7 @@ namespace swimtwin
     double                                        time_s = 0.;
     Belief                                        predicted, filtered;
     Eigen::MatrixXd                               transition, noise; ///< from the instant before
-    std::vector<Observation>                      observations;      ///< in an order of their own
+    std::vector<Sighting>                         observations;      ///< in an order of their own
     std::vector<Innovation>                       innovations;       ///< of each of them
     std::array<NoiseLevel, max_observation_kinds> noise_levels;
     JumpTest                                      jumps;
@@ -97,7 +97,7 @@ namespace swimtwin
 
     void             apply(const Widening &widening, FilterNode &node);
     void             gather_frames(int first);
-    void             gather(double time_s, const std::vector<Observation> &observations);
+    void             gather(double time_s, const std::vector<Sighting> &observations);
     std::span<Frame> frames_in_use() { return {frames_.data(), n_frames_}; }
     bool             replay_from_start();
     void             go_back_before(double time_s);
@@ -105,7 +105,7 @@ namespace swimtwin
     FilterNode      &append(double time_s);
     bool             go_to(double time_s);
     void             observe(FilterNode &node);
-    void             take_in(const Observation &observation, Innovation &innovation, FilterNode &node);
+    void             take_in(const Sighting &observation, Innovation &innovation, FilterNode &node);
     void             trim();
 
     Process         &process_;

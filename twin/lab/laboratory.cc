@@ -98,9 +98,9 @@ namespace swimtwin
     }
   }
 
-  Observation Laboratory::noisy(const int kind, const double place, const double sigma)
+  Sighting Laboratory::noisy(const int kind, const double place, const double sigma)
   {
-    Observation     observation{kind, {0., 0.}, sigma, place};
+    Sighting        observation{kind, {0., 0.}, sigma, place};
     const auto      m = camera_.n_rows(observation);
     Eigen::VectorXd residual(m);
     Eigen::MatrixXd slopes(m, state_.size());
@@ -119,7 +119,7 @@ namespace swimtwin
     advance(static_cast<double>(++n_frames_) / camera.frames_per_second);
     CapturedFrame frame{now_s_, now_s_ + state_[layout().place(TwinParameter::camera_delay)], 0., {}};
     frame.arrives_s = frame.stamp_s + std::max(0., camera.latency_s + camera.latency_jitter_s * normal_(random_));
-    std::vector<Observation> seen = {noisy(head_position, 0., camera.position_sigma_m)};
+    std::vector<Sighting> seen = {noisy(head_position, 0., camera.position_sigma_m)};
     if (camera.sees_angle)
       seen.push_back(noisy(head_angle, 0., camera.angle_sigma_rad));
     for (const double share : camera.tail_shares)
@@ -131,7 +131,7 @@ namespace swimtwin
     if (is_outlier)
     {
       seen.front().value += camera.outlier_m * Eigen::Vector2d(std::cos(direction), std::sin(direction));
-      for (Observation &o : seen)
+      for (Sighting &o : seen)
         if (o.kind == head_angle)
           o.value[0] += direction - std::numbers::pi;
     }

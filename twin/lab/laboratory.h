@@ -12,8 +12,8 @@ namespace swimtwin
   /// A frame as it is sent.
   struct CapturedFrame
   {
-    double                   captured_s = 0., stamp_s = 0., arrives_s = 0.;
-    std::vector<Observation> observations; ///< empty: the camera sent nothing
+    double                captured_s = 0., stamp_s = 0., arrives_s = 0.;
+    std::vector<Sighting> observations; ///< empty: the camera sent nothing
   };
 
   /// The same for a seed, to the last digit.
@@ -38,10 +38,10 @@ namespace swimtwin
     Eigen::VectorXd truth_in(const TwinLayout &layout) const;
 
   private:
-    void        advance(double to_s);
-    void        apply_changes(double from_s, double to_s);
-    void        play_coils(double to_s);
-    Observation noisy(int kind, double place, double sigma);
+    void     advance(double to_s);
+    void     apply_changes(double from_s, double to_s);
+    void     play_coils(double to_s);
+    Sighting noisy(int kind, double place, double sigma);
 
     const ReducedSwimmer &swimmer_;
     LaboratoryOptions     options_;
@@ -56,6 +56,6 @@ namespace swimtwin
 
     std::mt19937_64                  random_;
     std::normal_distribution<double> normal_;
-    std::vector<Observation>         last_seen_;
+    std::vector<Sighting>            last_seen_;
   };
 } // namespace swimtwin

@@ -19,7 +19,7 @@ namespace swimtwin
   {
   }
 
-  Eigen::Index CameraSensor::n_rows(const Observation &observation) const
+  Eigen::Index CameraSensor::n_rows(const Sighting &observation) const
   {
     return observation.kind == head_position || observation.kind == tail_point ? 2 : 1;
   }
@@ -66,7 +66,7 @@ namespace swimtwin
     set(TwinParameter::camera_offset_y, Eigen::Vector2d::UnitY());
   }
 
-  void CameraSensor::look(const Observation &observation, const double time_s, const Eigen::VectorXd &whole,
+  void CameraSensor::look(const Sighting &observation, const double time_s, const Eigen::VectorXd &whole,
                           Eigen::Ref<Eigen::VectorXd> residual, Eigen::Ref<Eigen::MatrixXd> slopes)
   {
     const TwinLayout &layout     = process_.layout();

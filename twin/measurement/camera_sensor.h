@@ -7,8 +7,8 @@
 
 namespace swimtwin
 {
-  /// Kinds of observations (Observation::kind).
-  enum ObservationKind {
+  /// Kinds of observations (Sighting::kind).
+  enum SightingKind {
     head_position, ///< m, in the camera's frame
     head_angle,    ///< rad, modulo a turn
     tail_point,    ///< m; `place`: the point's share of the tail's axis
@@ -28,9 +28,9 @@ namespace swimtwin
     /// All must live as long.
     CameraSensor(TwinProcess &process, const TailAxis &axis, const FirstSigmas &first_sigmas);
 
-    Eigen::Index n_rows(const Observation &observation) const override;
+    Eigen::Index n_rows(const Sighting &observation) const override;
     double       first_sigma(int kind) const override;
-    void         look(const Observation &observation, double time_s, const Eigen::VectorXd &state,
+    void         look(const Sighting &observation, double time_s, const Eigen::VectorXd &state,
                       Eigen::Ref<Eigen::VectorXd> residual, Eigen::Ref<Eigen::MatrixXd> slopes) override;
 
     /// The delay at which stamps become instants of the filter. What the estimated delay differs from it is made up for

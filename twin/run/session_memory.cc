@@ -14,7 +14,7 @@ namespace swimtwin
       Eigen::MatrixXd rows(n, n_frame_columns);
       Eigen::Index    i = 0;
       for (const Frame &frame : frames)
-        for (const Observation &o : frame.observations)
+        for (const Sighting &o : frame.observations)
           rows.row(i++) << frame.time_s, static_cast<double>(o.kind), o.value.x(), o.value.y(), o.sigma, o.place;
       return rows;
     }
@@ -81,8 +81,8 @@ namespace swimtwin
     {
       const auto *sinusoid = dynamic_cast<const SinusoidalField *>(program.drive.field.get());
       if (sinusoid != nullptr)
-        session.programs.push_back({program.start_s, program.drive.parameters[0], program.drive.parameters[1],
-                                    program.drive.frequency_Hz, 0});
+        session.programs.push_back(
+            {program.start_s, program.drive.parameters[0], program.drive.parameters[1], program.drive.frequency_Hz, 0});
       else
         session.programs.push_back({program.start_s, 0., 0., program.drive.frequency_Hz, 1});
     }

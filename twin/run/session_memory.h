@@ -56,12 +56,12 @@ namespace swimtwin
     double                         next_forecast_s = 0., next_open_s = 0.;
     std::vector<RememberedProgram> programs;
     Eigen::MatrixXd                samples; ///< rows: time, bx, by, sigma
-    double window_start_s = 0., started_s = 0., quiet_until_s = 0., reference_delay_s = 0.;
-    Belief                  at_window_start;
-    std::optional<Belief>   kept_parameters;
-    std::vector<NoiseLevel> noise_levels;
-    Eigen::MatrixXd         frames, start_frames; ///< rows: time, kind, value x, value y, sigma, place
-    int                     is_searching = 0;
+    double                         window_start_s = 0., started_s = 0., quiet_until_s = 0., reference_delay_s = 0.;
+    Belief                         at_window_start;
+    std::optional<Belief>          kept_parameters;
+    std::vector<NoiseLevel>        noise_levels;
+    Eigen::MatrixXd                frames, start_frames; ///< rows: time, kind, value x, value y, sigma, place
+    int                            is_searching = 0;
   };
   template <Like<RememberedSession> Type, typename Visitor>
   void for_each_entry(Type &v, const Visitor &visit)
@@ -83,9 +83,9 @@ namespace swimtwin
     visit("is_searching", v.is_searching);
   }
 
-  void                 remember(const SwimmerTwin::Memory &memory, RememberedSession &session);
-  SwimmerTwin::Memory  recall(const RememberedSession &session);
-  void                 remember(const FieldSignal &field, RememberedSession &session);
+  void                remember(const SwimmerTwin::Memory &memory, RememberedSession &session);
+  SwimmerTwin::Memory recall(const RememberedSession &session);
+  void                remember(const FieldSignal &field, RememberedSession &session);
   /// `configured` may be null.
   void recall(const RememberedSession &session, const Drive *configured, FieldSignal &field);
 } // namespace swimtwin

@@ -14,7 +14,7 @@ namespace swimtwin
     constexpr int    frames_of_a_new_clock = 30;  ///< refused one after the other: the clock began anew
     constexpr double open_every_periods    = 10.; ///< what keeps its prior is said so often
     constexpr int    forecast_instants     = 8;   ///< per period
-  } // namespace
+  }                                               // namespace
 
   TwinSession::TwinSession(const ReducedModel &model, const TwinConfig &config, Listeners listeners)
       : model_(model), config_(config), listeners_(std::move(listeners)), twin_(model, config.options),
@@ -82,9 +82,10 @@ namespace swimtwin
     if (ahead_s <= config_.largest_gap_s)
       return;
     if (++n_refused_in_a_row_ < frames_of_a_new_clock)
-      throw InputError(fmt::format("time_s = {:.6g} is {:.4g} s after the last frame, more than [filter] largest_gap_s = "
-                                   "{:.4g}; check the clock, or send {{\"type\": \"restart\"}} first.",
-                                   frame.time_s, ahead_s, config_.largest_gap_s));
+      throw InputError(
+          fmt::format("time_s = {:.6g} is {:.4g} s after the last frame, more than [filter] largest_gap_s = "
+                      "{:.4g}; check the clock, or send {{\"type\": \"restart\"}} first.",
+                      frame.time_s, ahead_s, config_.largest_gap_s));
   }
 
   void TwinSession::see(Frame frame)
@@ -92,7 +93,8 @@ namespace swimtwin
     ++counts_.n_frames;
     if (twin_.has_started())
       require_plausible_time(frame);
-    const bool is_older = twin_.has_started() && twin_.camera().instant_s(frame.time_s) <= twin_.filter().node(0).time_s;
+    const bool is_older =
+        twin_.has_started() && twin_.camera().instant_s(frame.time_s) <= twin_.filter().node(0).time_s;
     if (is_older)
       ++n_refused_in_a_row_;
     if (n_refused_in_a_row_ >= frames_of_a_new_clock)
@@ -105,15 +107,17 @@ namespace swimtwin
     else if (is_older)
     {
       ++counts_.n_late;
-      throw InputError(fmt::format("time_s = {:.6g} is before the window, which begins at {:.6g}; send frames sooner, or "
-                                   "raise [filter] window_s = {:.4g}.",
-                                   frame.time_s, twin_.filter().node(0).time_s + twin_.camera().reference_delay_s,
-                                   config_.options.filter.window_s));
+      throw InputError(
+          fmt::format("time_s = {:.6g} is before the window, which begins at {:.6g}; send frames sooner, or "
+                      "raise [filter] window_s = {:.4g}.",
+                      frame.time_s, twin_.filter().node(0).time_s + twin_.camera().reference_delay_s,
+                      config_.options.filter.window_s));
     }
     switch (twin_.see(frame.time_s, frame.observations))
     {
     case Insertion::too_old:
-      throw InputError("the frame cannot begin the estimate, because it does not show the head; send x_m and y_m first.");
+      throw InputError(
+          "the frame cannot begin the estimate, because it does not show the head; send x_m and y_m first.");
     case Insertion::failed:
       twin_.forget_pose();
       throw InputError(fmt::format("the model finds no motion that leads to time_s = {:.6g} and begins anew; check the "
@@ -144,8 +148,14 @@ namespace swimtwin
       watchdog_.found_again(twin_.now_s());
     }
     const FilterNode &node = twin_.filter().latest();
-    EstimateRecord    r{node.time_s, counts_.n_lines, false, node.filtered, node.innovations, watchdog_.significance(),
-                     watchdog_.trust(node.time_s), watchdog_.flags()};
+    EstimateRecord    r{node.time_s,
+                     counts_.n_lines,
+                     false,
+                     node.filtered,
+                     node.innovations,
+                     watchdog_.significance(),
+                     watchdog_.trust(node.time_s),
+                     watchdog_.flags()};
     if (twin_.is_searching_delay())
       r.flags.emplace_back("searching-delay");
     listeners_.say(estimate_line(twin_, r));
@@ -184,7 +194,7 @@ namespace swimtwin
   {
     ForecastRecord r{twin_.now_s(), {}};
     Belief         belief = twin_.belief();
-    const int      n      = std::max(1, static_cast<int>(std::lround(config_.output.forecast_periods * forecast_instants)));
+    const int      n = std::max(1, static_cast<int>(std::lround(config_.output.forecast_periods * forecast_instants)));
     const double   step_s = config_.output.forecast_periods * config_.period_s / n;
     for (int i = 0; i < n; ++i)
     {
@@ -197,7 +207,7 @@ namespace swimtwin
 
   void TwinSession::smooth()
   {
-    const WindowFilter &filter  = twin_.filter();
+    const WindowFilter &filter   = twin_.filter();
     const double        wanted_s = twin_.now_s() - config_.output.smoothing_lag_s;
     int                 i        = 0;
     while (i + 1 < filter.n_nodes() && filter.node(i).time_s < wanted_s)

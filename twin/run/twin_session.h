@@ -61,7 +61,7 @@ namespace swimtwin
     SwimmerTwin         twin_;
     Watchdog            watchdog_;
     StreamCounts        counts_;
-    bool                has_ended_      = false;
+    bool                has_ended_       = false;
     double              next_forecast_s_ = -1e300, next_open_s_ = -1e300;
     int                 n_refused_in_a_row_ = 0;
   };

@@ -127,7 +127,7 @@ namespace swimtwin
     private:
       double sign() const { return camera_.y_down ? -1. : 1.; }
 
-      void add(const ObservationKind kind, const Eigen::Vector2d &value, const double sigma, const double place)
+      void add(const SightingKind kind, const Eigen::Vector2d &value, const double sigma, const double place)
       {
         frame_.observations.push_back({kind, value, sigma, place});
       }
@@ -217,7 +217,8 @@ namespace swimtwin
     Entries          entries(json, "the line");
     const auto       type = entries.text("type");
     if (!type)
-      throw InputError("the line lacks its type; send \"type\": \"frame\", \"field\", \"drive\", \"restart\" or \"end\".");
+      throw InputError(
+          "the line lacks its type; send \"type\": \"frame\", \"field\", \"drive\", \"restart\" or \"end\".");
     if (const auto version = entries.number("version", largest_time_s); version && *version != stream_version)
       throw InputError(fmt::format("version {:.6g} of the stream is not known; this program speaks version {}.",
                                    *version, stream_version));

@@ -18,8 +18,8 @@ namespace swimtwin
     /// Pose and shape, and their standard deviations under "sd".
     void add_state(const SwimmerTwin &twin, const Belief &belief, Json &json)
     {
-      const int n     = twin.swimmer().n_modes();
-      Json      sd    = Json::object();
+      const int   n       = twin.swimmer().n_modes();
+      Json        sd      = Json::object();
       const char *names[] = {"x_m", "y_m", "angle_rad"};
       for (int i = 0; i < 3; ++i)
       {
@@ -32,8 +32,8 @@ namespace swimtwin
         shape.push_back(belief.mean[3 + i]);
         shape_sd.push_back(belief.standard_deviation(3 + i));
       }
-      json["shape_m"]           = shape;
-      sd["shape_m"]             = shape_sd;
+      json["shape_m"]         = shape;
+      sd["shape_m"]           = shape_sd;
       const double          c = std::cos(belief.mean[2]), s = std::sin(belief.mean[2]);
       const Eigen::Vector2d tip = twin.swimmer().tip().position_m(belief.mean.segment(3, n));
       json["tip_m"] = {belief.mean[0] + c * tip.x() - s * tip.y(), belief.mean[1] + s * tip.x() + c * tip.y()};
@@ -103,11 +103,11 @@ namespace swimtwin
     for (int i = 0; i < n_twin_parameters; ++i)
       if (twin.layout().is_estimated(static_cast<TwinParameter>(i)))
         names.push_back(twin_parameter_names[static_cast<std::size_t>(i)]);
-    Json json              = record("twin");
-    json["model"]          = model_name;
-    json["body_length_m"]  = twin.swimmer().length_m();
-    json["n_modes"]        = twin.swimmer().n_modes();
-    json["estimates"]      = names;
+    Json json             = record("twin");
+    json["model"]         = model_name;
+    json["body_length_m"] = twin.swimmer().length_m();
+    json["n_modes"]       = twin.swimmer().n_modes();
+    json["estimates"]     = names;
     return line_of(json);
   }
 
@@ -195,12 +195,12 @@ namespace swimtwin
 
   std::string end_line(const StreamCounts &counts)
   {
-    Json json        = record("end");
-    json["lines"]    = counts.n_lines;
-    json["frames"]   = counts.n_frames;
-    json["late"]     = counts.n_late;
-    json["errors"]   = counts.n_errors;
-    json["alarms"]   = counts.n_alarms;
+    Json json      = record("end");
+    json["lines"]  = counts.n_lines;
+    json["frames"] = counts.n_frames;
+    json["late"]   = counts.n_late;
+    json["errors"] = counts.n_errors;
+    json["alarms"] = counts.n_alarms;
     return line_of(json);
   }
 } // namespace swimtwin

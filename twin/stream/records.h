@@ -13,8 +13,8 @@ namespace swimtwin
   /// Of the latest frame, or predicted beyond it.
   struct EstimateRecord
   {
-    double                   time_s = 0.;
-    long                     line   = 0; ///< of the input that led to it; 0: none
+    double                   time_s       = 0.;
+    long                     line         = 0; ///< of the input that led to it; 0: none
     bool                     is_predicted = false;
     Belief                   belief;
     std::vector<Innovation>  innovations;

@@ -125,7 +125,8 @@ namespace swimtwin
 
   void Watchdog::judge_walls(std::vector<Alarm> &changes)
   {
-    const double distance_m = wall_distance_m(domain_, twin_.belief().mean.head<2>()),
+    const double distance_m = domain_ ? wall_distance_m(*domain_, twin_.belief().mean.head<2>())
+                                      : std::numeric_limits<double>::infinity(),
                  least_m    = options_.wall_clearance * twin_.swimmer().length_m();
     judge("near-wall", distance_m < least_m, twin_.now_s(),
           fmt::format("the head's centre is {:.3g} m from a wall of the model's domain", distance_m),

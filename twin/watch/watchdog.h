@@ -52,11 +52,11 @@ namespace swimtwin
     void judge_frozen(const Frame &frame, std::vector<Alarm> &changes);
     void judge_sight(double time_s, std::vector<Alarm> &changes);
 
-    const SwimmerTwin &twin_;
-    TrainedRange       range_;
-    Domain             domain_;
-    WatchOptions       options_;
-    double             period_s_;
+    const SwimmerTwin    &twin_;
+    TrainedRange          range_;
+    std::optional<Domain> domain_;
+    WatchOptions          options_;
+    double                period_s_;
 
     std::vector<Alarm>                 on_;
     std::deque<std::pair<double, int>> distances_; ///< chi-squared and its degrees of freedom
@@ -64,7 +64,7 @@ namespace swimtwin
     int                                n_degrees_    = 0;
     double                             significance_ = 1., consistency_ = 1., shape_radius_ = 0.;
     double                             last_used_s_ = 0., last_frame_s_ = 0., against_since_s_ = 0.;
-    std::vector<Observation>           last_seen_;
+    std::vector<Sighting>              last_seen_;
     int                                n_same_       = 0;
     double                             same_since_s_ = 0.;
   };

@@ -30,9 +30,9 @@ namespace swimtwin
   class LinearSensor : public Sensor
   {
   public:
-    Eigen::Index n_rows(const Observation &o) const override { return o.place == 1. ? 1 : 2; }
+    Eigen::Index n_rows(const Sighting &o) const override { return o.place == 1. ? 1 : 2; }
     double       first_sigma(int) const override { return 0.2; }
-    void         look(const Observation &o, double, const Eigen::VectorXd &state, Eigen::Ref<Eigen::VectorXd> residual,
+    void         look(const Sighting &o, double, const Eigen::VectorXd &state, Eigen::Ref<Eigen::VectorXd> residual,
                       Eigen::Ref<Eigen::MatrixXd> slopes) override
     {
       Eigen::Matrix2d H;

@@ -32,7 +32,7 @@ namespace swimtwin
       s.P_predicted = F * P * F.transpose() + G * G.transpose();
       x             = s.predicted;
       P             = s.P_predicted;
-      for (const Observation &o : frame.observations)
+      for (const Sighting &o : frame.observations)
       {
         const Eigen::Index m = sensor.n_rows(o);
         Eigen::VectorXd    r(m);

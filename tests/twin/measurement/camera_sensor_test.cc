@@ -14,7 +14,7 @@ namespace swimtwin
       Eigen::MatrixXd slopes;
     };
 
-    Look look(OpenSwimmer &open, const Observation &o, const Eigen::VectorXd &state)
+    Look look(OpenSwimmer &open, const Sighting &o, const Eigen::VectorXd &state)
     {
       const auto m = open.camera.n_rows(o);
       Look       l{Eigen::VectorXd(m), Eigen::MatrixXd(m, state.size())};
@@ -27,9 +27,9 @@ namespace swimtwin
       OpenSwimmer open;
       open.camera.reference_delay_s = 0.02;
       const Eigen::VectorXd state = open.some_state(), change = open.small_change();
-      for (const Observation &o :
-           {Observation{head_position, {1e-3, 2e-3}}, Observation{head_angle, {0.3, 0.}},
-            Observation{tail_point, {5e-3, 2e-3}, 0., 0.63}, Observation{tail_point, {5e-3, 2e-3}, 0., 1.}})
+      for (const Sighting &o :
+           {Sighting{head_position, {1e-3, 2e-3}}, Sighting{head_angle, {0.3, 0.}},
+            Sighting{tail_point, {5e-3, 2e-3}, 0., 0.63}, Sighting{tail_point, {5e-3, 2e-3}, 0., 1.}})
       {
         const Look here = look(open, o, state);
         for (Eigen::Index i = 0; i < state.size(); ++i)
@@ -50,7 +50,7 @@ namespace swimtwin
       OpenSwimmer           open;
       const Eigen::VectorXd state = open.some_state();
       // Where the tail's point at 0.4 is seen, and a point beside it across the axis.
-      Observation at{tail_point, {0., 0.}, 0., 0.4}, before = at, after = at;
+      Sighting at{tail_point, {0., 0.}, 0., 0.4}, before = at, after = at;
       before.place                = 0.39;
       after.place                 = 0.41;
       const Eigen::Vector2d place = -look(open, at, state).residual;

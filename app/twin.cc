@@ -1,0 +1,72 @@
+// Verb twin: watch a swimmer while it swims.
+#include <app/claimed_folder.h>
+#include <app/shipped_files.h>
+#include <app/verb.h>
+#include <app/written_files.h>
+#include <datasets/reduced/reduced_model.h>
+#include <datasets/scene/scene.h>
+#include <datasets/system/error.h>
+#include <twin/run/twin_service.h>
+
+#include <memory>
+
+namespace swimtwin
+{
+  namespace
+  {
+    struct TwinCommand
+    {
+      CommonOptions         common;
+      std::string           model, config;
+      std::filesystem::path recording;
+      std::optional<int>    port;
+      bool                  in_real_time = false, resumes = false;
+    };
+
+    void watch(const TwinCommand &command)
+    {
+      const std::filesystem::path file   = find_model(command.model);
+      const ReducedModel          model  = read_reduced_model(file);
+      const TwinConfig            config = read_twin_config(command.config, model);
+      if (command.in_real_time && command.recording.empty())
+        throw InputError("--real-time is for a recording (--replay); a stream has its own pace: leave it out.");
+      const Scene   scene = parse_scene(model.scene_text, model.scene_name + ".toml");
+      OutputRequest request =
+          output_request(command.common, written_by::twin(), {file, command.config, command.recording, config.prior});
+      request.resume = command.resumes;
+      work_in_folder(request, [&](const Begun &begun) {
+        begun();
+        serve(model, config,
+              {command.common.output,
+               command.port,
+               command.recording,
+               command.in_real_time,
+               command.resumes,
+               {current_program_version, command.common.command_line, scene.text, scene.hash, utc_time_now()}});
+      });
+    }
+  } // namespace
+
+  Work add_twin(CLI::App &tool, const std::string &command_line)
+  {
+    auto  command = std::make_shared<TwinCommand>();
+    auto *verb    = tool.add_subcommand(
+           "twin",
+           "Watch a swimmer while it swims: lines of JSON in (standard input, a port, a recording), estimates out");
+    verb->add_option("model", command->model, "Reduced model (model.h5), or name of a shipped one")->required();
+    verb->add_option("config", command->config, "What to estimate, and what the camera is like (TOML)")->required();
+    add_output_options(*verb, command->common, OutputFolder::required);
+    auto *port = verb->add_option("--listen", command->port, "Listen on this port of this machine (0: any free one)")
+                     ->check(CLI::Range(0, 65535));
+    verb->add_option("--replay", command->recording,
+                     "Tracks, TrackMate or DeepLabCut tables with their sidecar, a log, or lines (.jsonl)")
+        ->excludes(port);
+    verb->add_flag("--real-time", command->in_real_time, "Replay at the pace of the recording's stamps");
+    verb->add_flag("--resume", command->resumes, "Go on with a twin that was killed");
+    command->common.command_line = command_line;
+    return [command] {
+      if (is_speaker())
+        watch(*command);
+    };
+  }
+} // namespace swimtwin

@@ -1,0 +1,38 @@
+// A laboratory written in TOML, and its frames as lines of the twin's stream.
+#pragma once
+
+#include <datasets/reduced/reduced_model.h>
+#include <twin/lab/laboratory.h>
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+namespace swimtwin
+{
+  struct LabConfig
+  {
+    std::string       text;
+    LaboratoryOptions options;
+    double            bx_T = 0., by_T = 0., frequency_Hz = 0.;
+    double            duration_s   = 60.;
+    double            real_time    = 0.; ///< seconds of the laboratory in a second; 0: as fast as it goes
+    bool              tells_sigmas = true;
+  };
+
+  /// What the file leaves out is the model's scene's. Throws InputError with file, line, key, rule and remedy.
+  LabConfig read_lab_config(const std::filesystem::path &file, const ReducedModel &model);
+
+  /// What happened in truth at an instant.
+  struct LabTruth
+  {
+    double          time_s = 0.;
+    Eigen::VectorXd state; ///< swimmer and all parameters
+  };
+
+  /// Runs it to its end. Lines come in the order in which they arrive; `truth` gets one instant per frame, sent or not.
+  /// `send` says when a line arrives, and returns false to end early.
+  void run_laboratory(const ReducedModel &model, const LabConfig &config,
+                      const std::function<bool(double arrives_s, const std::string &line)> &send,
+                      const std::function<void(const LabTruth &)>                          &truth);
+} // namespace swimtwin

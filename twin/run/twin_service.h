@@ -1,0 +1,23 @@
+// The twin at work: lines from a stream, a port or a recording; answers to where they came from; a folder.
+#pragma once
+
+#include <twin/run/twin_folder.h>
+
+#include <filesystem>
+#include <optional>
+
+namespace swimtwin
+{
+  struct ServiceOptions
+  {
+    std::filesystem::path folder;
+    std::optional<int>    port;                 ///< of this machine
+    std::filesystem::path recording;            ///< empty: standard input
+    bool                  in_real_time = false; ///< a recording, at the pace of its stamps
+    bool                  resumes      = false;
+    Provenance            provenance;
+  };
+
+  /// Until the lines end. Throws InputError and ComputationError.
+  void serve(const ReducedModel &model, const TwinConfig &config, const ServiceOptions &options);
+} // namespace swimtwin
