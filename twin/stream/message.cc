@@ -199,11 +199,9 @@ namespace swimtwin
       {
         return StreamJson::parse(line);
       }
-      catch (const StreamJson::exception &)
+      catch (const StreamJson::exception &error)
       {
-        const bool is_cut = !line.empty() && line.front() == '{' &&
-                            line.find_last_not_of(" \t\r") != std::string_view::npos &&
-                            line[line.find_last_not_of(" \t\r")] != '}';
+        const bool is_cut = std::string_view(error.what()).find("unexpected end of input") != std::string_view::npos;
         throw InputError(is_cut
                              ? "the line is cut short; send every line whole, with its line break."
                              : "the line is not JSON; send one object per line, numbers finite (no NaN, no Infinity).");
