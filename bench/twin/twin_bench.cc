@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <map>
 #include <numbers>
 
@@ -37,6 +38,7 @@ namespace swimtwin
       double stiffness_sd = 0., magnet_sd = 0., delay_sd_s = 0.;
       std::vector<std::pair<double, std::string>> alarms;
       double                                      mean_frame_s = 0., largest_frame_s = 0.;
+      double worst_viscosity_error = 0.; ///< of its logarithm, after a quarter of the time
     };
 
     struct Model
@@ -95,6 +97,12 @@ namespace swimtwin
           o.alarms.emplace_back(twin.now_s(), fmt::format("{} {:+.2f} since {:.2f} s, ratio {:.0f}", twin.alarm()->name,
                                                           twin.alarm()->finding.size, twin.alarm()->finding.since_s,
                                                           twin.alarm()->finding.ratio));
+        if (i * 4 > n_frames && twin.layout().is_estimated(TwinParameter::stiffness))
+        {
+          const Eigen::VectorXd wrong = twin.belief().mean - lab.truth_in(twin.layout());
+          o.worst_viscosity_error =
+              std::max(o.worst_viscosity_error, std::abs(wrong[twin.layout().place(TwinParameter::magnetization)]));
+        }
         if (i * 4 > n_frames) // the start's belief is wide on purpose
           for (const Innovation &innovation : twin.filter().latest().innovations)
             if (innovation.weight > 0.)
@@ -106,8 +114,11 @@ namespace swimtwin
       // The twin's instant is the stamp less what it takes for the delay.
       const Eigen::VectorXd truth  = lab.truth_in(twin.layout());
       Belief                belief = twin.belief();
-      belief.mean.head(m.swimmer.n_states()) +=
-          (lab.now_s() - twin.now_s()) * twin.process().rate(twin.now_s(), belief.mean);
+      if (lab.now_s() > twin.now_s() + 1e-9) // the last frame was missing, or was thought to be earlier
+        twin.filter().predict(twin.now_s(), lab.now_s(), belief);
+      else
+        belief.mean.head(m.swimmer.n_states()) +=
+            (lab.now_s() - twin.now_s()) * twin.process().rate(twin.now_s(), belief.mean);
       const int n = twin.layout().n_swimmer(), k = twin.layout().n_states() - n;
       o.n                   = static_cast<double>(belief.size());
       o.state_error_squared = belief.distance_squared(truth);
@@ -195,14 +206,18 @@ namespace swimtwin
         fmt::print("  delay error rms {:.2f} ms, worst {:.2f} ms, stated {:.2f} ms\n",
                    1e3 * s.rms(&Outcome::delay_error_s), 1e3 * s.largest(&Outcome::delay_error_s),
                    1e3 * s.rms(&Outcome::delay_sd_s));
+      fmt::print("  largest error of M/mu on the way  {:.2f} %\n", 100. * s.largest(&Outcome::worst_viscosity_error));
       fmt::print("  time of a frame {:.3f} ms on average, {:.2f} ms at most\n", 1e3 * s.mean(&Outcome::mean_frame_s),
                  1e3 * s.largest(&Outcome::largest_frame_s));
       std::map<std::string, int> alarms;
       for (const Outcome &o : s.outcomes)
         for (const auto &[time, name] : o.alarms)
           ++alarms[fmt::format("at {:.1f} s: {}", time, name)];
+      fmt::print("  alarms in all runs together: {}\n", alarms.size());
+      int n_shown = 0;
       for (const auto &[name, n] : alarms)
-        fmt::print("  alarm {}\n", name);
+        if (++n_shown <= 8)
+          fmt::print("    {}\n", name);
     }
 
     Case make_case(const std::string &study, const Model &m, const unsigned int seed)
@@ -226,6 +241,23 @@ namespace swimtwin
       }
       if (study == "quiet")
         c.periods = 500.;
+      if (study == "ramp") // 2 degrees in 60 s
+      {
+        c.lab.ramp                        = {20., 80., 2. / 60.};
+        c.twin.parameters.viscosity_drift = 5e-3;
+        c.periods                         = 90. * frequency_Hz;
+      }
+      if (study.starts_with("rough"))
+      {
+        c.lab.camera.missing_share = 0.2;
+        c.lab.camera.outlier_share = 0.05;
+        c.lab.camera.outlier_m     = 0.5 * m.swimmer.length_m();
+        c.lab.camera.dark          = {{12., 13.}};
+        if (study == "rough-naive")
+          c.twin.filter.robustness = {1e9, 1e9};
+      }
+      if (study == "model-error") // what is believed of a real model's error, on one that has none
+        c.twin.noise = default_twin_options(m.model, m.nominal, frequency_Hz).noise;
       return c;
     }
   } // namespace
@@ -236,7 +268,8 @@ int main(const int argc, char **argv)
   using namespace swimtwin;
   if (argc < 3)
   {
-    fmt::print("bench_twin MODEL consistency|delay|jump|quiet [seeds] [first seed]\n");
+    fmt::print("bench_twin MODEL consistency|delay|jump|jump-late|quiet|ramp|rough|rough-naive|model-error [seeds] "
+               "[first seed]\n");
     return 2;
   }
   const Model        model(argv[1]);

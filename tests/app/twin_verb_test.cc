@@ -64,7 +64,7 @@ namespace swimtwin
     // What a killed one leaves: a child process that ends at once in the middle.
     const fs::path    killed  = folder.path / "killed";
     const std::string command = std::string("head -n 90 ") + recording.string() +
-                                " | (cat; sleep 20) | timeout -s KILL 3 " + places::tool + " twin " + model + " " +
+                                " | (cat; sleep 3) | timeout -s KILL 2 " + places::tool + " twin " + model + " " +
                                 config.string() + " --output " + killed.string() + " > /dev/null 2>&1";
     static_cast<void>(std::system(command.c_str()));
     ASSERT_TRUE(fs::exists(killed / "twin-state.json"));
@@ -94,7 +94,7 @@ namespace swimtwin
              {{"twin", model, config, "--output", results, "--real-time"}, "--replay"},
              {{"twin", model, config, "--output", results, "--listen", "99999"}, "65535"},
              {{"twin", model, config, "--output", results, "--replay", folder.path / "none.jsonl"}, "none.jsonl"},
-             {{"twin", model, config, "--output", results, "--resume"}, "--force"},
+             {{"twin", model, config, "--output", results, "--resume"}, "leave --resume out"},
              {{"lab", model, wrong}, "position_noise"}})
     {
       const Outcome outcome = run(arguments);

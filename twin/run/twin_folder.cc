@@ -138,9 +138,11 @@ namespace swimtwin
 
   void TwinFolder::resume(TwinSession &session)
   {
-    const fs::path file   = folder_ / twin_state_name;
-    const Json     state  = read_json_file(file, "the twin's state", "start afresh with --force");
-    const auto     refuse = [&](const std::string &what) {
+    const fs::path file = folder_ / twin_state_name;
+    if (std::error_code error; !fs::exists(file, error))
+      throw InputError(fmt::format("{} holds no twin that was interrupted: leave --resume out.", folder_.string()));
+    const Json state  = read_json_file(file, "the twin's state", "start afresh with --force");
+    const auto refuse = [&](const std::string &what) {
       throw InputError(fmt::format("{} {}; start afresh with --force.", file.string(), what));
     };
     std::string fingerprint;
