@@ -112,14 +112,16 @@ namespace swimtwin
             }
       }
       // The twin's instant is the stamp less what it takes for the delay.
-      const Eigen::VectorXd truth  = lab.truth_in(twin.layout());
-      Belief                belief = twin.belief();
+      Eigen::VectorXd truth  = lab.truth_in(twin.layout());
+      Belief          belief = twin.belief();
       if (lab.now_s() > twin.now_s() + 1e-9) // the last frame was missing, or was thought to be earlier
         twin.filter().predict(twin.now_s(), lab.now_s(), belief);
       else
         belief.mean.head(m.swimmer.n_states()) +=
             (lab.now_s() - twin.now_s()) * twin.process().rate(twin.now_s(), belief.mean);
       const int n = twin.layout().n_swimmer(), k = twin.layout().n_states() - n;
+      truth[2] +=
+          2. * std::numbers::pi * std::round((belief.mean[2] - truth[2]) / (2. * std::numbers::pi)); // whole turns
       o.n                   = static_cast<double>(belief.size());
       o.state_error_squared = belief.distance_squared(truth);
       o.n_parameters        = k;

@@ -39,6 +39,17 @@ namespace swimtwin
     }
   } // namespace
 
+  bool has_used_sighting(const std::vector<Innovation> &innovations)
+  {
+    const auto any = [&](const bool wants_angle) {
+      return std::any_of(innovations.begin(), innovations.end(),
+                         [&](const Innovation &i) { return i.weight > 0. && (i.kind == head_angle) == wants_angle; });
+    };
+    const bool shows_positions =
+        std::any_of(innovations.begin(), innovations.end(), [](const Innovation &i) { return i.kind != head_angle; });
+    return any(!shows_positions);
+  }
+
   SwimmerTwin::SwimmerTwin(const ReducedModel &model, const TwinOptions &options)
       : options_(options), model_(model), swimmer_(model_), axis_(model_.tail),
         layout_(options.parameters, swimmer_.n_states()),
@@ -89,8 +100,8 @@ namespace swimtwin
     // The first frame is an observation like all others, an instant after the belief that it began.
     constexpr double instant_later_s = 1e-6;
     filter_.add({instant_s + instant_later_s, observations});
-    started_s_     = instant_s;
-    quiet_until_s_ = instant_s + options_.jumps.settle_s;
+    started_s_ = last_used_s_ = instant_s;
+    quiet_until_s_            = instant_s + options_.jumps.settle_s;
   }
 
   Insertion SwimmerTwin::see(const double stamp_s, const std::vector<Sighting> &observations)
@@ -119,6 +130,7 @@ namespace swimtwin
     else if (!is_searching_)
       keep_delay_reference();
     watch_for_jumps();
+    watch_for_loss();
     return insertion;
   }
 
@@ -176,8 +188,10 @@ namespace swimtwin
   void SwimmerTwin::watch_for_jumps()
   {
     const auto finding = filter_.latest().jumps.most_likely(quiet_until_s_);
-    if (!finding || finding->ratio < options_.jumps.threshold || is_searching_)
+    if (!finding || is_searching_ || finding->ratio < options_.jumps.threshold)
       return;
+    if (finding->ratio < finding->runner_up + options_.jumps.margin && finding->ratio < 3. * options_.jumps.threshold)
+      return; // more frames will tell
     const JumpHypothesis &hypothesis = hypotheses_[static_cast<std::size_t>(finding->hypothesis)];
     alarm_                           = JumpAlarm{hypothesis.name, *finding, now_s()};
     filter_.widen(finding->since_s, finding->since_s + options_.jumps.interval_s, finding->size * hypothesis.direction);
@@ -222,6 +236,16 @@ namespace swimtwin
     return directions;
   }
 
+  void SwimmerTwin::watch_for_loss()
+  {
+    if (has_used_sighting(filter_.latest().innovations))
+      last_used_s_ = now_s();
+    if (now_s() - last_used_s_ <= options_.search_pose_after_s || filter_.latest().innovations.empty())
+      return;
+    look_for_pose();
+    last_used_s_ = now_s();
+  }
+
   void SwimmerTwin::forget_pose()
   {
     if (!has_started())
@@ -254,8 +278,8 @@ namespace swimtwin
   {
     const FilterNode &first = filter_.node(0);
     Memory            memory{
-        first.time_s, started_s_,    quiet_until_s_, camera_.reference_delay_s, first.filtered, first.noise_levels,
-        {},           start_frames_, is_searching_,  kept_parameters_};
+        first.time_s,       started_s_, quiet_until_s_, last_used_s_,  camera_.reference_delay_s, first.filtered,
+        first.noise_levels, {},         start_frames_,  is_searching_, kept_parameters_};
     for (int i = 1; i < filter_.n_nodes(); ++i)
       if (const FilterNode &node = filter_.node(i); !node.observations.empty())
         memory.frames.push_back({node.time_s, node.observations});
@@ -269,6 +293,7 @@ namespace swimtwin
                   JumpTest(hypotheses_, options_.jumps.interval_s, options_.jumps.n_instants), &memory.noise_levels);
     for (const Frame &frame : memory.frames)
       filter_.add(frame);
+    last_used_s_     = memory.last_used_s;
     started_s_       = memory.started_s;
     quiet_until_s_   = std::max(memory.quiet_until_s, now_s());
     start_frames_    = memory.start_frames;

@@ -26,6 +26,9 @@ namespace swimtwin
     double                                      variance_left = 1.;
   };
 
+  /// Whether one of them was used; where there are positions, one of those: an angle alone finds no swimmer.
+  bool has_used_sighting(const std::vector<Innovation> &innovations);
+
   /// Stays where it is made: its parts know each other. One thread.
   class SwimmerTwin
   {
@@ -67,15 +70,13 @@ namespace swimtwin
 
     /// Begin anew with the next frame that shows the head; what was learned of the parameters stays.
     void forget_pose();
-    /// Frames are used again after none could be: pose and shape may be anything near where they were thought to be.
-    void look_for_pose();
 
     /// What a later program needs to go on: the window's beginning and what was seen in it.
     struct Memory
     {
-      double                                        window_start_s = 0., started_s = 0., quiet_until_s = 0.;
-      double                                        reference_delay_s = 0.;
-      Belief                                        at_window_start;
+      double window_start_s = 0., started_s = 0., quiet_until_s = 0., last_used_s = 0.;
+      double reference_delay_s = 0.;
+      Belief at_window_start;
       std::array<NoiseLevel, max_observation_kinds> noise_levels;
       std::vector<Frame>                            frames;       ///< at instants, within the window
       std::vector<Frame>                            start_frames; ///< with stamps, while the delay is searched for
@@ -92,6 +93,8 @@ namespace swimtwin
     double run_through_start(double delay_s);
     void   keep_delay_reference();
     void   watch_for_jumps();
+    void   watch_for_loss();
+    void   look_for_pose();
 
     TwinOptions    options_;
     ReducedModel   model_;
@@ -108,6 +111,7 @@ namespace swimtwin
     std::optional<Belief>       kept_parameters_; ///< of before the pose was forgotten
     std::vector<Frame>          start_frames_;    ///< with stamps, while the delay is searched for
     double                      started_s_ = 0., quiet_until_s_ = 0.;
+    double                      last_used_s_    = 0.;
     double                      revisit_from_s_ = std::numeric_limits<double>::infinity();
     bool                        is_searching_   = false;
   };

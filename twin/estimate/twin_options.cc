@@ -37,6 +37,7 @@ namespace swimtwin
     const Eigen::VectorXd amplitude_m = model.resistance.coordinate_scale_m.head(model.n_modes());
     TwinOptions           options;
     options.nominal             = nominal;
+    options.search_pose_after_s = 0.5 * period_s;
     options.largest_step_s      = period_s / 40.;
     options.noise               = model_noise(model, length_m, period_s);
     options.first_sigmas        = {0.003 * length_m, std::numbers::pi / 180.};

@@ -25,7 +25,9 @@ namespace swimtwin
     /// Twice the log of the likelihoods' ratio that is an alarm: with a chi-squared of one degree of freedom and a
     /// hundred tries per period, 45 is passed once in 1e8 periods by chance; the model's own error asks for more.
     double threshold = 60.;
-    double settle_s  = 3.; ///< after the start and after an alarm, before the next one
+    /// By so much the ratio is ahead of any other explanation's, unless it is three times the threshold.
+    double margin   = 15.;
+    double settle_s = 3.; ///< after the start and after an alarm, before the next one
   };
 
   struct TwinOptions
@@ -38,6 +40,8 @@ namespace swimtwin
     StartBelief       start;
     JumpOptions       jumps;
     double            largest_step_s = 1. / 30.;
+    /// Frames come and none of them could be used for this time: the pose is searched for anew.
+    double search_pose_after_s = 0.6;
     /// An unknown delay is searched for with all that was seen in this time.
     double delay_search_s      = 4.;
     double delay_search_step_s = 0.025;

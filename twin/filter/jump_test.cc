@@ -1,5 +1,7 @@
 #include <twin/filter/jump_test.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace swimtwin
@@ -64,6 +66,7 @@ namespace swimtwin
   std::optional<JumpFinding> JumpTest::most_likely(const double earliest_s) const
   {
     std::optional<JumpFinding> best;
+    Eigen::VectorXd            largest = Eigen::VectorXd::Zero(n_hypotheses_);
     for (int slot = 0; slot < n_slots_; ++slot)
       for (int h = 0; h < n_hypotheses_; ++h)
       {
@@ -72,9 +75,13 @@ namespace swimtwin
         if (start_s == not_in_use || start_s < earliest_s || information_[k] <= 0.)
           continue;
         const double ratio = score_[k] * score_[k] / information_[k];
+        largest[h]         = std::max(largest[h], ratio);
         if (!best || ratio > best->ratio)
           best = JumpFinding{h, start_s, score_[k] / information_[k], 1. / std::sqrt(information_[k]), ratio};
       }
+    for (int h = 0; best && h < n_hypotheses_; ++h)
+      if (h != best->hypothesis)
+        best->runner_up = std::max(best->runner_up, largest[h]);
     return best;
   }
 } // namespace swimtwin

@@ -23,7 +23,8 @@ namespace swimtwin
     int    hypothesis = 0;
     double since_s    = 0.;
     double size = 0., standard_deviation = 0.; ///< in multiples of the direction
-    double ratio = 0.;                         ///< twice the logarithm of the likelihoods' ratio
+    double ratio     = 0.;                     ///< twice the logarithm of the likelihoods' ratio
+    double runner_up = 0.;                     ///< the same of the most likely other hypothesis
   };
 
   /// For each hypothesis and each of the last instants at which it may have happened: what it would have left in the

@@ -56,12 +56,12 @@ namespace swimtwin
     double                         next_forecast_s = 0., next_open_s = 0.;
     std::vector<RememberedProgram> programs;
     Eigen::MatrixXd                samples; ///< rows: time, bx, by, sigma
-    double                         window_start_s = 0., started_s = 0., quiet_until_s = 0., reference_delay_s = 0.;
-    Belief                         at_window_start;
-    std::optional<Belief>          kept_parameters;
-    std::vector<NoiseLevel>        noise_levels;
-    Eigen::MatrixXd                frames, start_frames; ///< rows: time, kind, value x, value y, sigma, place
-    int                            is_searching = 0;
+    double window_start_s = 0., started_s = 0., quiet_until_s = 0., last_used_s = 0., reference_delay_s = 0.;
+    Belief at_window_start;
+    std::optional<Belief>   kept_parameters;
+    std::vector<NoiseLevel> noise_levels;
+    Eigen::MatrixXd         frames, start_frames; ///< rows: time, kind, value x, value y, sigma, place
+    int                     is_searching = 0;
   };
   template <Like<RememberedSession> Type, typename Visitor>
   void for_each_entry(Type &v, const Visitor &visit)
@@ -74,6 +74,7 @@ namespace swimtwin
     visit("window_start_s", v.window_start_s);
     visit("started_s", v.started_s);
     visit("quiet_until_s", v.quiet_until_s);
+    visit("last_used_s", v.last_used_s);
     visit("reference_delay_s", v.reference_delay_s);
     visit("at_window_start", v.at_window_start);
     visit("kept_parameters", v.kept_parameters);

@@ -142,11 +142,6 @@ namespace swimtwin
     }
     const Eigen::Vector2d field_T = twin_.process().field_T(twin_.now_s(), twin_.belief().mean);
     tell(watchdog_.look(frame, field_T), twin_.now_s());
-    if (watchdog_.is_lost())
-    {
-      twin_.look_for_pose();
-      watchdog_.found_again(twin_.now_s());
-    }
     const FilterNode &node = twin_.filter().latest();
     EstimateRecord    r{node.time_s,
                      counts_.n_lines,

@@ -215,6 +215,7 @@ namespace swimtwin
     read_model_error(document, ReducedSwimmer(model).length_m(), config.options.noise);
     read_filter(document, config);
     read_watch(document, config);
+    config.options.search_pose_after_s = config.watch.sight_lost_s;
     read_output(document, config);
     return config;
   }

@@ -22,18 +22,6 @@ namespace swimtwin
       return boost::math::cdf(boost::math::complement(boost::math::chi_squared(n), chi_squared));
     }
 
-    /// Where there are positions, one of them must be used: an angle alone finds no swimmer.
-    bool has_used_sighting(const std::vector<Innovation> &innovations)
-    {
-      const auto any = [&](const bool wants_angle) {
-        return std::any_of(innovations.begin(), innovations.end(),
-                           [&](const Innovation &i) { return i.weight > 0. && (i.kind == head_angle) == wants_angle; });
-      };
-      const bool shows_positions =
-          std::any_of(innovations.begin(), innovations.end(), [](const Innovation &i) { return i.kind != head_angle; });
-      return any(!shows_positions);
-    }
-
     /// Of a point to the nearest wall; infinite in a domain that moves with the swimmer.
     double wall_distance_m(const Domain &domain, const Eigen::Vector2d &point_m)
     {
@@ -181,7 +169,6 @@ namespace swimtwin
   {
     std::vector<Alarm> changes;
     const double       now_s = twin_.now_s();
-    last_frame_s_            = now_s;
     if (distances_.empty())
       last_used_s_ = against_since_s_ = now_s;
     const bool is_used = has_used_sighting(twin_.filter().latest().innovations);

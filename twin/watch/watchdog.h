@@ -37,9 +37,6 @@ namespace swimtwin
     double trust(double time_s) const;
     /// Chi-squared's probability of the last frame's innovations to be that far off.
     double significance() const { return significance_; }
-    /// Frames come and none of them can be used.
-    bool is_lost() const { return is_on("sight-lost") && last_frame_s_ - last_used_s_ > options_.sight_lost_s; }
-    void found_again(double time_s) { last_used_s_ = time_s; }
 
   private:
     bool is_on(const std::string &name) const;
@@ -63,7 +60,7 @@ namespace swimtwin
     double                             sum_          = 0.;
     int                                n_degrees_    = 0;
     double                             significance_ = 1., consistency_ = 1., shape_radius_ = 0.;
-    double                             last_used_s_ = 0., last_frame_s_ = 0., against_since_s_ = 0.;
+    double                             last_used_s_ = 0., against_since_s_ = 0.;
     std::vector<Sighting>              last_seen_;
     int                                n_same_       = 0;
     double                             same_since_s_ = 0.;
