@@ -5,6 +5,7 @@
 #include <app/claimed_folder.h>
 #include <app/full_order/full_order_build.h>
 #include <app/full_order/full_order_run.h>
+#include <app/model_error.h>
 #include <app/progress_bar.h>
 #include <app/shipped_files.h>
 #include <app/verb.h>
@@ -171,7 +172,8 @@ namespace swimtwin
 
     void check_and_report(const CalibrateCommand &command)
     {
-      const CalibrationInput         input    = read_calibration_input(command);
+      const CalibrationInput input = read_calibration_input(command);
+      warn_of_model_error(input.model, command.model);
       const std::vector<std::string> warnings = check_before_fit(input.model, input.problem, input.sets);
       print_warnings(warnings);
       if (!command.common.quiet)
@@ -208,6 +210,7 @@ namespace swimtwin
           "--output is required: name a folder for the results, or say --check to look at problem and data "
           "without a fit.");
     const CalibrationInput input = read_calibration_input(command);
+    require_borne_model_error(input.model, command.model, command.accepts_model_error);
     if (command.n_checks > 0)
       require_full_order_model("--verify", RanksAtWork::this_one);
     std::vector<std::filesystem::path> files{find_model(command.model), command.problem};
@@ -238,6 +241,7 @@ namespace swimtwin
                    "Read problem and observations, print what is in them and what is wrong, and fit nothing");
     verb->add_flag("--no-picture", command->no_picture, "Draw nothing");
     add_output_options(*verb, command->common, OutputFolder::optional);
+    verb->add_flag(accept_model_error, command->accepts_model_error, accept_model_error_help);
     command->common.command_line = command_line;
     return [command] {
       take_back_from_data(*command);

@@ -11,8 +11,9 @@ namespace swimtwin
     std::string              model, problem;
     std::vector<std::string> data; ///< instead of those that the problem names
     int                      n_threads = 0, n_checks = 0;
-    bool                     no_picture = false;
-    bool                     check_only = false; ///< problem and data, without a fit; needs no folder
+    bool                     no_picture          = false;
+    bool                     check_only          = false; ///< problem and data, without a fit; needs no folder
+    bool                     accepts_model_error = false; ///< above what a result may rest on
   };
 
   void calibrate_and_report(const CalibrateCommand &command);

@@ -4,6 +4,7 @@
 #include <app/claimed_folder.h>
 #include <app/full_order/field_replay.h>
 #include <app/full_order/full_order_build.h>
+#include <app/model_error.h>
 #include <app/shipped_files.h>
 #include <app/value_list.h>
 #include <app/verb.h>
@@ -224,6 +225,8 @@ namespace swimtwin
     const ReducedModel model = read_reduced_model(find_model(command.model));
     const Scene        scene = parse_scene(model.scene_text, model.scene_name + ".toml");
     GoalFile           file  = read_goal(command.goal, model);
+    if (is_speaker())
+      require_borne_model_error(model, command.model, command.accepts_model_error);
     if (command.check_gradients && is_speaker())
       check_and_print(model, file, reference_drive(scene));
     if (command.check_gradients)
@@ -261,6 +264,7 @@ namespace swimtwin
     verb->add_flag("--check-gradients", command->check_gradients, "Compare all derivatives with differences, and stop");
     verb->add_option("--threads", command->n_threads, "As many as the machine has if left out");
     verb->add_flag("--no-picture", command->no_picture, "Draw nothing");
+    verb->add_flag(accept_model_error, command->accepts_model_error, accept_model_error_help);
     command->common.command_line = command_line;
     return [command] {
       if (!command->check_gradients && command->common.output.empty())

@@ -13,6 +13,7 @@ namespace swimtwin
     ReplayOptions replay;
     int           n_threads   = 0;
     bool          with_replay = false, check_gradients = false, no_picture = false;
+    bool          accepts_model_error = false; ///< above what a result may rest on
   };
 
   /// Collective.

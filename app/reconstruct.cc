@@ -2,6 +2,7 @@
 #include <app/claimed_folder.h>
 #include <app/full_order/flow_output.h>
 #include <app/full_order/full_order_build.h>
+#include <app/model_error.h>
 #include <app/progress_bar.h>
 #include <app/shipped_files.h>
 #include <app/verb.h>
@@ -129,9 +130,10 @@ namespace swimtwin
 
     void reconstruct_and_report(const ReconstructCommand &command)
     {
-      const ReducedModel model   = read_reduced_model(find_model(command.model));
-      const Scene        scene   = scene_of_run(command, model);
-      RunRequest         request = sweep_options(scene, model).base;
+      const ReducedModel model = read_reduced_model(find_model(command.model));
+      const Scene        scene = scene_of_run(command, model);
+      warn_of_model_error(model, command.model);
+      RunRequest request         = sweep_options(scene, model).base;
       request.n_periods          = n_periods(scene);
       request.samples_per_period = command.n_instants;
       if (command.with_flow)

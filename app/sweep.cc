@@ -1,5 +1,6 @@
 // Verb sweep: displacement against frequency, and against whatever else, on a reduced model.
 #include <app/claimed_folder.h>
+#include <app/model_error.h>
 #include <app/progress_bar.h>
 #include <app/shipped_files.h>
 #include <app/value_list.h>
@@ -185,6 +186,7 @@ namespace swimtwin
       const CommonOptions &common           = command.common;
       if (!common.quiet)
         say_text(model_card(model));
+      warn_of_model_error(model, command.model);
 
       const double start = wall_time_s();
       ProgressBar  bar(common.quiet);

@@ -3,6 +3,7 @@
 #include <app/claimed_folder.h>
 #include <app/full_order/full_order_build.h>
 #include <app/full_order/full_order_plant.h>
+#include <app/model_error.h>
 #include <app/shipped_files.h>
 #include <app/written_files.h>
 #include <datasets/system/clocks.h>
@@ -106,7 +107,8 @@ namespace swimtwin
   {
     const ReducedModel model = read_reduced_model(find_model(command.model));
     const Scene        scene = parse_scene(model.scene_text, model.scene_name + ".toml");
-    TargetRecord       record;
+    require_borne_model_error(model, command.model, command.accepts_model_error);
+    TargetRecord record;
     record.goal          = read_target_goal(command.goal, model);
     record.body_length_m = ReducedSwimmer(model).length_m();
     record.model_file    = find_model(command.model).string();

@@ -4,6 +4,7 @@
 #include <app/claimed_folder.h>
 #include <app/full_order/full_order_build.h>
 #include <app/full_order/full_order_plant.h>
+#include <app/model_error.h>
 #include <app/progress_bar.h>
 #include <app/shipped_files.h>
 #include <app/target.h>
@@ -144,7 +145,8 @@ namespace swimtwin
 
   void track_and_report(const TrackCommand &command)
   {
-    const ReducedModel   model = read_reduced_model(find_model(command.model));
+    const ReducedModel model = read_reduced_model(find_model(command.model));
+    require_borne_model_error(model, command.model, command.accepts_model_error);
     const ReducedSwimmer swimmer(model);
     TrackRecord          record;
     record.goal           = read_tracking_goal(command.goal, model);
@@ -171,6 +173,7 @@ namespace swimtwin
     verb->add_flag("--replay", command->with_replay,
                    "Play the plan of a path or to a target blindly on the full-order model too");
     verb->add_flag("--no-picture", command->no_picture, "Draw nothing");
+    verb->add_flag(accept_model_error, command->accepts_model_error, accept_model_error_help);
     command->common.command_line = command_line;
     return [command] {
       if (!is_speaker())

@@ -9,8 +9,9 @@ namespace swimtwin
   {
     CommonOptions common;
     std::string   model, goal;
-    bool          with_replay = false; ///< play the plan of a path blindly on the full-order model too
-    bool          no_picture  = false;
+    bool          with_replay         = false; ///< play the plan of a path blindly on the full-order model too
+    bool          no_picture          = false;
+    bool          accepts_model_error = false; ///< above what a result may rest on
   };
 
   /// Throws InputError and ComputationError.

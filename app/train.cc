@@ -52,14 +52,26 @@ namespace swimtwin
                         group, range.frequency_Hz.high, range.viscosity_Pa_s.low, largest_unsteady_group));
     }
 
+    /// "1%" or "0.01".
+    double parse_share(const std::string &option, const std::string &text)
+    {
+      const bool   in_percent = text.ends_with('%');
+      const double value =
+          parse_values(option, in_percent ? text.substr(0, text.size() - 1) : text, ValueRule::positive).front();
+      return in_percent ? value / 100. : value;
+    }
+
     /// Throws InputError.
     void complete_options(TrainCommand &command, const Scene &scene)
     {
       auto &own        = command.training;
       own.range        = range_of(command, scene);
-      own.basis        = command.basis == "elastic" ? BasisChoice::elastic : BasisChoice::pod;
+      own.basis        = command.basis == "elastic" ? BasisChoice::elastic
+                         : command.basis == "pod"   ? BasisChoice::pod
+                                                    : BasisChoice::bending;
       own.folder       = command.common.output;
       own.command_line = command.common.command_line;
+      own.target       = parse_share("--target", command.target);
       own.snapshots    = {command.snapshots.begin(), command.snapshots.end()};
       require_small_inertia(command, scene, own.range);
       for (const auto &file : own.snapshots)
@@ -95,8 +107,13 @@ namespace swimtwin
     verb->add_option("--held-out", own->training.n_held_out, "Full-order runs kept for comparison")
         ->check(CLI::Range(0, 1000))
         ->capture_default_str();
-    verb->add_option("--basis", own->basis, "pod: modes of the runs; elastic: of the tail alone, without data")
-        ->check(CLI::IsMember({"pod", "elastic"}))
+    verb->add_option("--target", own->target,
+                     "Error of held-out displacements to be met, rms (twice as much at worst), such as 1% or 0.01")
+        ->capture_default_str();
+    verb->add_option("--basis", own->basis,
+                     "bending: angles, all else relaxed; pod: displacements of the runs; elastic: of the tail alone, "
+                     "without data")
+        ->check(CLI::IsMember({"bending", "pod", "elastic"}))
         ->capture_default_str();
     verb->add_option("--snapshots", own->snapshots, "More snapshots.h5 files of the same swimmer");
     verb->add_flag("--allow-inertia", own->allow_inertia, "Train although inertia is not small");

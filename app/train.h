@@ -14,7 +14,7 @@ namespace swimtwin
     CommonOptions            common;
     TrainingOptions          training;
     std::string              frequency, young_modulus, viscosity, magnetization, bx, by; ///< ranges as typed
-    std::string              basis = "pod";
+    std::string              basis = "bending", target = "1%";
     std::vector<std::string> snapshots;
     bool                     resume = false, allow_inertia = false;
   };

@@ -6,7 +6,9 @@
 #include <app/ranks.h>
 #include <app/shipped_files.h>
 #include <app/written_files.h>
+#include <datasets/reduced/held_out_error.h>
 #include <datasets/system/console.h>
+#include <datasets/system/error.h>
 #include <datasets/files/output_folder.h>
 #include <reports/sweep/model_card.h>
 #include <rom/training/training.h>
@@ -58,6 +60,16 @@ namespace swimtwin
       std::unique_ptr<ProgressBar>          bar_;
     };
 
+    /// The model is kept and says what it is worth; scripts learn from the exit code whether that is enough.
+    void conclude(const TrainingRecord &record, const std::filesystem::path &file)
+    {
+      if (const std::string missed = missed_target(record); !missed.empty())
+        throw ComputationError(
+            fmt::format("{}: {}; use it for less, or train it on a narrower range, with more --modes "
+                        "and --samples, or with a wider --target",
+                        file.string(), missed));
+    }
+
     void train_in_folder(TrainCommand &command, const Scene &scene, const Begun &begun)
     {
       TrainingOptions &own   = command.training;
@@ -66,6 +78,7 @@ namespace swimtwin
       {
         if (!quiet)
           say("{} is complete: nothing to resume\n", own.folder.string());
+        conclude(read_reduced_model(own.folder / "model.h5").record, own.folder / "model.h5");
         return;
       }
       StageBar bar(quiet);
@@ -78,6 +91,7 @@ namespace swimtwin
         write_text_atomically(own.folder / "model-card.txt", model_card(model));
       if (!quiet)
         say("{}  results in {}\n", model_card(model), own.folder.string());
+      conclude(model.record, own.folder / "model.h5");
     }
   } // namespace
 

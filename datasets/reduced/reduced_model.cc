@@ -16,9 +16,26 @@ namespace swimtwin
     {
       std::vector<int> kept;
       for (int i = 0; i < tail.n_amplitudes(); ++i)
-        if (i < k || i >= tail.n_coordinates())
+        if (tail.amplitudes.are_given() || i < k || i >= tail.n_coordinates())
           kept.push_back(i);
       return kept;
+    }
+
+    std::vector<int> features_without_modes_from(const Eigen::MatrixXi &exponents, const int k, const int r)
+    {
+      std::vector<int> kept;
+      for (int f = 0; f < exponents.rows(); ++f)
+        if ((exponents.row(f).segment(k, r - k).array() == 0).all())
+          kept.push_back(f);
+      return kept;
+    }
+
+    ShapePolynomials of_leading_coordinates(const ShapePolynomials &all, const int k)
+    {
+      if (!all.are_given())
+        return all;
+      const auto kept = features_without_modes_from(all.exponents, k, static_cast<int>(all.exponents.cols()));
+      return {all.scale_m.head(k), all.exponents(kept, Eigen::seqN(0, k)), all.coefficients(kept, Eigen::all)};
     }
 
     ReducedTail leading_modes(ReducedTail tail, const int k)
@@ -28,6 +45,7 @@ namespace swimtwin
       tail.parity                 = tail.parity(kept).eval();
       if (tail.followers.cols() > 0)
         tail.followers = tail.followers.leftCols(k * (k + 1) / 2).eval();
+      tail.amplitudes = of_leading_coordinates(tail.amplitudes, k);
       return tail;
     }
 
@@ -44,8 +62,10 @@ namespace swimtwin
     ReducedElasticity of_amplitudes(const ReducedElasticity &elasticity, const int R,
                                     const std::vector<int> &amplitudes)
     {
+      if (elasticity.energy.are_given())
+        return elasticity;
       const std::vector<int> kept = kept_strain_monomials(R, amplitudes);
-      return {elasticity.gram_lambda(kept, kept), elasticity.gram_mu(kept, kept), elasticity.poisson_ratio};
+      return {elasticity.gram_lambda(kept, kept), elasticity.gram_mu(kept, kept), elasticity.poisson_ratio, {}};
     }
 
     ReducedMagnet of_amplitudes(ReducedMagnet magnet, const std::vector<int> &amplitudes)
@@ -61,15 +81,6 @@ namespace swimtwin
       constexpr double round_off            = 1e-9;
       const bool       some_mode_changes_it = area.linear_m(amplitudes).norm() > round_off * area.linear_m.norm();
       return {area.is_kept && some_mode_changes_it, area.linear_m(amplitudes), area.quadratic(amplitudes, amplitudes)};
-    }
-
-    std::vector<int> features_without_modes_from(const Eigen::MatrixXi &exponents, const int k, const int r)
-    {
-      std::vector<int> kept;
-      for (int f = 0; f < exponents.rows(); ++f)
-        if ((exponents.row(f).segment(k, r - k).array() == 0).all())
-          kept.push_back(f);
-      return kept;
     }
 
     ReducedResistance leading_modes(const ReducedResistance &all, const int r, const int k)
@@ -113,6 +124,7 @@ namespace swimtwin
     const auto   amplitudes = kept_amplitudes(model.tail, n_modes);
     few.tail                = leading_modes(model.tail, n_modes);
     few.elasticity          = of_amplitudes(model.elasticity, model.tail.n_amplitudes(), amplitudes);
+    few.elasticity.energy   = of_leading_coordinates(model.elasticity.energy, n_modes);
     few.magnet              = of_amplitudes(model.magnet, amplitudes);
     few.area                = of_amplitudes(model.area, amplitudes);
     few.resistance          = leading_modes(model.resistance, r, n_modes);

@@ -11,31 +11,56 @@ namespace swimtwin
 {
   struct Provenance;
 
+  /// Polynomials of the coordinates: value_k = sum_m coefficients(m, k) prod_i (q_i / scale_i)^exponents(m, i).
+  struct ShapePolynomials
+  {
+    Eigen::VectorXd scale_m;      ///< r
+    Eigen::MatrixXi exponents;    ///< one monomial per row, n x r
+    Eigen::MatrixXd coefficients; ///< n x number of values
+
+    bool are_given() const { return exponents.rows() > 0; }
+  };
+
   /// Modes of the tail: d(X; q) = sum_k p_k(q) mode_k(X) in the head's frame. The amplitudes p (m) are the r
   /// coordinates q, then those of s followers, p_{r+k} = sum_{j <= i} followers(k, i (i + 1) / 2 + j) q_i q_j: a tail
   /// that bends shortens. Modes are orthonormal in the mean over the tail, (1/A) int mode_i . mode_j dX = delta_ij
   /// among coordinates and among followers, so that an amplitude is a root mean square displacement. Each has a parity
   /// under the mirror y -> -y: +1 if it keeps a symmetric tail symmetric, -1 if it bends it.
+  ///
+  /// Where `amplitudes` are given, no coordinate is the amplitude of a mode: coordinates are bending angles times the
+  /// tail's length (m), all odd under the mirror, and p(q) are these polynomials. There are no followers then.
   struct ReducedTail
   {
-    Eigen::MatrixXd nodes_m;   ///< n_nodes x 2, reference configuration, origin at the head's centre
-    Eigen::MatrixXi cells;     ///< n_cells x 6: three vertices, then midpoints of edges 01, 12, 20
-    Eigen::MatrixXd modes;     ///< 2 n_nodes x (r + s), interleaved components (x0, y0, x1, ...), zero on the head
-    Eigen::MatrixXd followers; ///< s x r (r + 1) / 2, in 1/m
-    Eigen::VectorXi parity;    ///< r + s
-    int             tip_node = 0, before_tip_node = 0; ///< on the axis: the tip, and the middle of the last edge
+    Eigen::MatrixXd  nodes_m;   ///< n_nodes x 2, reference configuration, origin at the head's centre
+    Eigen::MatrixXi  cells;     ///< n_cells x 6: three vertices, then midpoints of edges 01, 12, 20
+    Eigen::MatrixXd  modes;     ///< 2 n_nodes x (r + s), interleaved components (x0, y0, x1, ...), zero on the head
+    Eigen::MatrixXd  followers; ///< s x r (r + 1) / 2, in 1/m
+    Eigen::VectorXi  parity;    ///< r + s
+    int              tip_node = 0, before_tip_node = 0; ///< on the axis: the tip, and the middle of the last edge
+    ShapePolynomials amplitudes = {};
 
     int n_amplitudes() const { return static_cast<int>(modes.cols()); }
-    int n_coordinates() const { return n_amplitudes() - static_cast<int>(followers.rows()); }
+    int n_coordinates() const
+    {
+      return amplitudes.are_given() ? static_cast<int>(amplitudes.exponents.cols())
+                                    : n_amplitudes() - static_cast<int>(followers.rows());
+    }
+    Eigen::VectorXi coordinate_parity() const
+    {
+      return amplitudes.are_given() ? Eigen::VectorXi(Eigen::VectorXi::Constant(n_coordinates(), -1))
+                                    : Eigen::VectorXi(parity.head(n_coordinates()));
+    }
   };
 
   /// St Venant-Kirchhoff energy (J per metre of depth) of the modes, exact: the strain is quadratic in the R = r + s
   /// amplitudes, so W = m^T (lambda G_lambda + mu_s G_mu) m with the monomials m = (p_1 .. p_R, p_1 p_1, p_2 p_1,
   /// p_2 p_2, p_3 p_1, ...), of degree 4 in p, and of degree 8 in q if there are followers.
+  /// Where `energy` is given, W / E is that one polynomial (m^2), of any law, and there are no Gram matrices.
   struct ReducedElasticity
   {
-    Eigen::MatrixXd gram_lambda, gram_mu; ///< symmetric, m^2 times powers of 1/m
-    double          poisson_ratio = 0.;
+    Eigen::MatrixXd  gram_lambda, gram_mu; ///< symmetric, m^2 times powers of 1/m
+    double           poisson_ratio = 0.;
+    ShapePolynomials energy        = {};
   };
 
   /// Index of p_i p_j (j <= i) among the strain monomials of R modes; linear ones come first.
@@ -113,13 +138,14 @@ namespace swimtwin
     double                   velocity_error_rms = 0., velocity_error_max = 0.; ///< at held-out shapes, relative
     double                   largest_condition = 0.; ///< of R scaled by its diagonal at rest, over the samples
     double                   cpu_time_s        = 0.;
+    double                   target            = 0.; ///< relative error that was aimed at; 0: it was not written down
     std::vector<HeldOutRun>  held_out_runs;
     std::vector<std::string> neglects; ///< physics that the model leaves out, one sentence each, with its size
   };
 
   struct ReducedModel
   {
-    static constexpr int format_version = 1;
+    static constexpr int format_version = 2; ///< the newest; 1 knows no polynomials of shapes
 
     ReducedTail       tail;
     ReducedElasticity elasticity;

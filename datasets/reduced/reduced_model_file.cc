@@ -27,6 +27,15 @@ namespace swimtwin
       visit("/range/by_T", "T", range.by_T);
     }
 
+    void write_polynomials(Hdf5Writer &writer, const std::string &path, const ShapePolynomials &polynomials,
+                           const ArrayMeaning &coefficients)
+    {
+      writer.write_vector(path + "_scale_m", polynomials.scale_m, {"m", "of the coordinates in the monomials"});
+      writer.write_matrix(path + "_exponents", polynomials.exponents,
+                          {"1", "one monomial per row: exponents of the scaled coordinates"});
+      writer.write_matrix(path + "_coefficients", polynomials.coefficients, coefficients);
+    }
+
     void write_tail(Hdf5Writer &writer, const ReducedTail &tail)
     {
       writer.write_matrix(
@@ -40,16 +49,28 @@ namespace swimtwin
         writer.write_matrix(
             "/tail/followers", tail.followers,
             {"1/m", "amplitudes of the last modes: coefficients of q_i q_j, j <= i, at i (i + 1) / 2 + j"});
+      if (tail.amplitudes.are_given())
+        write_polynomials(writer, "/tail/amplitude", tail.amplitudes,
+                          {"m", "amplitude of each mode (columns) by bending angles times the tail's length"});
       writer.write_vector("/tail/parity", tail.parity, {"1", "1: keeps a symmetric tail symmetric, -1: bends it"});
       writer.write_vector("/tail/tip_nodes", std::array{tail.before_tip_node, tail.tip_node},
                           {"1", "on the axis: the middle of the last edge, and the tip"});
     }
 
-    void write_elasticity(Hdf5Writer &writer, const ReducedElasticity &elasticity)
+    void write_gram_matrices(Hdf5Writer &writer, const ReducedElasticity &elasticity)
     {
       const std::string gram = "energy m^T G m of the strain monomials m = (p_i, p_i p_j with j <= i), unit ";
       writer.write_matrix("/elasticity/gram_lambda", elasticity.gram_lambda, {"m^2 / m^degree", gram + "lambda"});
       writer.write_matrix("/elasticity/gram_mu", elasticity.gram_mu, {"m^2 / m^degree", gram + "shear modulus"});
+    }
+
+    void write_elasticity(Hdf5Writer &writer, const ReducedElasticity &elasticity)
+    {
+      if (elasticity.energy.are_given())
+        write_polynomials(writer, "/elasticity/energy", elasticity.energy,
+                          {"m^2", "elastic energy per unit depth and Young's modulus"});
+      else
+        write_gram_matrices(writer, elasticity);
       writer.write_attribute("/elasticity", "poisson_ratio", elasticity.poisson_ratio);
     }
 
@@ -90,10 +111,11 @@ namespace swimtwin
         throw InputError(fmt::format(
             "{} is an HDF5 file, but not a reduced model; give one that `swimtwin train` made.", file.string()));
       const double version = reader.read_number_attribute("/", "format_version");
-      if (version != ReducedModel::format_version)
-        throw InputError(fmt::format("{} is a reduced model of format version {}, and this program reads version {}; "
-                                     "train it again with this program, or use the one that made it.",
-                                     file.string(), version, ReducedModel::format_version));
+      if (version != 1 && version != ReducedModel::format_version)
+        throw InputError(
+            fmt::format("{} is a reduced model of format version {}, and this program reads versions 1 to {}; "
+                        "train it again with this program, or use the one that made it.",
+                        file.string(), version, ReducedModel::format_version));
     }
 
     Eigen::VectorXd read_column(const Hdf5Reader &reader, const std::string &path)
@@ -113,6 +135,26 @@ namespace swimtwin
       return array;
     }
 
+    ShapePolynomials read_polynomials(const Hdf5Reader &reader, const std::string &path)
+    {
+      if (!reader.contains(path + "_exponents"))
+        return {};
+      return {read_column(reader, path + "_scale_m"), reader.read_int_matrix(path + "_exponents"),
+              reader.read_matrix(path + "_coefficients")};
+    }
+
+    ReducedElasticity read_elasticity(const Hdf5Reader &reader)
+    {
+      ReducedElasticity elasticity;
+      elasticity.poisson_ratio = reader.read_number_attribute("/elasticity", "poisson_ratio");
+      elasticity.energy        = read_polynomials(reader, "/elasticity/energy");
+      if (elasticity.energy.are_given())
+        return elasticity;
+      elasticity.gram_lambda = reader.read_matrix("/elasticity/gram_lambda");
+      elasticity.gram_mu     = reader.read_matrix("/elasticity/gram_mu");
+      return elasticity;
+    }
+
     ReducedTail read_tail(const Hdf5Reader &reader)
     {
       ReducedTail tail;
@@ -121,6 +163,7 @@ namespace swimtwin
       tail.modes   = reader.read_matrix("/tail/modes");
       if (reader.contains("/tail/followers"))
         tail.followers = reader.read_matrix("/tail/followers");
+      tail.amplitudes               = read_polynomials(reader, "/tail/amplitude");
       const std::vector<int> parity = reader.read_int_vector("/tail/parity");
       tail.parity                   = Eigen::VectorXi::Map(parity.data(), static_cast<Eigen::Index>(parity.size()));
       const std::string path        = "/tail/tip_nodes";
@@ -167,7 +210,7 @@ namespace swimtwin
       throw ComputationError(fmt::format("cannot write {}: {} {}", file.string(), problem.path, problem.sentence));
     Hdf5Writer writer;
     writer.write_attribute("/", "format", format_name);
-    writer.write_attribute("/", "format_version", ReducedModel::format_version);
+    writer.write_attribute("/", "format_version", model.tail.amplitudes.are_given() ? ReducedModel::format_version : 1);
     write_provenance(writer, provenance);
     writer.write_text("/scene/name", model.scene_name, {"1", "name of the scene that the model was trained on"});
     writer.write_text("/scene/text", model.scene_text, {"1", "that scene (TOML): nominal parameters, field, time"});
@@ -192,8 +235,7 @@ namespace swimtwin
     model.scene_name = reader.read_text("/scene/name");
     model.scene_text = reader.read_text("/scene/text");
     model.tail       = read_tail(reader);
-    model.elasticity = {reader.read_matrix("/elasticity/gram_lambda"), reader.read_matrix("/elasticity/gram_mu"),
-                        reader.read_number_attribute("/elasticity", "poisson_ratio")};
+    model.elasticity = read_elasticity(reader);
     model.magnet     = read_magnet(reader);
     model.area       = {reader.read_number_attribute("/area", "is_kept") != 0., read_column(reader, "/area/linear_m"),
                         reader.read_matrix("/area/quadratic")};

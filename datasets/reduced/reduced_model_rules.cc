@@ -47,9 +47,26 @@ namespace swimtwin
       return indices.size() == 0 || (indices.minCoeff() >= 0 && indices.maxCoeff() < end);
     }
 
+    void check(Rules &rules, const ShapePolynomials &polynomials, const std::string &path, const Eigen::Index r,
+               const Eigen::Index n_values)
+    {
+      const std::string exponents = path + "_exponents", scale = path + "_scale_m",
+                        coefficients = path + "_coefficients";
+      rules.require_size(scale.c_str(), polynomials.scale_m, r, 1);
+      rules.require(scale.c_str(), (polynomials.scale_m.array() > 0.).all(), "holds a number that is not positive.");
+      rules.require_size(exponents.c_str(), polynomials.exponents, polynomials.exponents.rows(), r);
+      rules.require(exponents.c_str(), (polynomials.exponents.array() >= 0).all(), "holds a negative exponent.");
+      rules.require_size(coefficients.c_str(), polynomials.coefficients, polynomials.exponents.rows(), n_values);
+    }
+
     void check(Rules &rules, const ReducedTail &tail)
     {
       const Eigen::Index n = tail.nodes_m.rows(), R = tail.modes.cols(), s = tail.followers.rows(), r = R - s;
+      if (tail.amplitudes.are_given())
+      {
+        check(rules, tail.amplitudes, "/tail/amplitude", tail.n_coordinates(), R);
+        rules.require("/tail/followers", s == 0, "is there beside polynomials of the amplitudes.");
+      }
       rules.require("/tail/nodes_m", n > 0, "is empty.");
       rules.require_size("/tail/nodes_m", tail.nodes_m, n, 2);
       rules.require_size("/tail/cells", tail.cells, tail.cells.rows(), 6);
@@ -65,9 +82,11 @@ namespace swimtwin
                     fmt::format("names a node that is not in 0 to {}.", n - 1));
     }
 
-    void check(Rules &rules, const ReducedElasticity &elasticity, const int r)
+    void check(Rules &rules, const ReducedElasticity &elasticity, const int r, const int n_coordinates)
     {
       const int n = strain_monomial(r, r, 0);
+      if (elasticity.energy.are_given())
+        return check(rules, elasticity.energy, "/elasticity/energy", n_coordinates, 1);
       for (const auto &[path, gram] :
            {std::pair<const char *, const Eigen::MatrixXd &>{"/elasticity/gram_lambda", elasticity.gram_lambda},
             {"/elasticity/gram_mu", elasticity.gram_mu}})
@@ -135,7 +154,9 @@ namespace swimtwin
   {
     Rules rules;
     check(rules, model.tail);
-    check(rules, model.elasticity, model.tail.n_amplitudes());
+    check(rules, model.elasticity, model.tail.n_amplitudes(), model.n_modes());
+    rules.require("/elasticity", model.elasticity.energy.are_given() == model.tail.amplitudes.are_given(),
+                  "and /tail disagree: polynomials of shapes and of the energy belong together.");
     check(rules, model.magnet, model.tail.n_amplitudes());
     check(rules, model.area, model.tail.n_amplitudes());
     check(rules, model.resistance, model.n_modes());

@@ -67,6 +67,7 @@ namespace swimtwin
     for_each_figure(record, [&](const char *name, const auto value) {
       writer.write_attribute("/training", name, static_cast<double>(value));
     });
+    writer.write_attribute("/training", "target", record.target);
   }
 
   TrainingRecord read_training_record(const Hdf5Reader &reader)
@@ -85,6 +86,8 @@ namespace swimtwin
     for_each_figure(record, [&](const char *name, auto &value) {
       value = static_cast<std::decay_t<decltype(value)>>(reader.read_number_attribute("/training", name));
     });
+    if (reader.has_attribute("/training", "target")) // files of before have none
+      record.target = reader.read_number_attribute("/training", "target");
     return record;
   }
 } // namespace swimtwin

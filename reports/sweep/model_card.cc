@@ -1,5 +1,7 @@
 #include <reports/sweep/model_card.h>
 
+#include <datasets/reduced/held_out_error.h>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,24 +26,13 @@ namespace swimtwin
                          text_of(range.bx_T, "T"), text_of(range.by_T, "T"));
     }
 
-    double relative_error(const HeldOutRun &run)
+    std::string held_out_line(const TrainingRecord &record)
     {
-      return std::abs(run.reduced_displacement_m - run.displacement_m) / std::abs(run.displacement_m);
+      const HeldOutError error = displacement_error(record);
+      return error.is_known() ? "displacement off by " + error.text()
+                              : "no held-out runs: the displacement's error is not known";
     }
 
-    std::string held_out_line(const std::vector<HeldOutRun> &runs)
-    {
-      if (runs.empty())
-        return "no held-out runs: the displacement's error is not known";
-      double worst = 0., squares = 0.;
-      for (const HeldOutRun &run : runs)
-      {
-        worst = std::max(worst, relative_error(run));
-        squares += relative_error(run) * relative_error(run);
-      }
-      return fmt::format("displacement off by {:.2g} % (rms), {:.2g} % (worst) in {} full-order runs not trained on",
-                         100. * std::sqrt(squares / static_cast<double>(runs.size())), 100. * worst, runs.size());
-    }
     /// How the error indicator compares with the true error, at best and at worst.
     std::string indicator_line(const std::vector<HeldOutRun> &runs)
     {
@@ -59,11 +50,13 @@ namespace swimtwin
   std::string model_card(const ReducedModel &model)
   {
     const TrainingRecord &record = model.record;
-    std::string           text =
-        fmt::format("Reduced swimmer of {}: {} modes with {:.5g} % of the energy of {} snapshots\n", model.scene_name,
-                    model.n_modes(), 100. * record.energy_captured, record.n_snapshots);
+    std::string           text   = missed_target(record);
+    if (!text.empty())
+      text = fmt::format("MISSED: {}.\n", text);
+    text += fmt::format("Reduced swimmer of {}: {} modes with {:.5g} % of the energy of {} snapshots\n",
+                        model.scene_name, model.n_modes(), 100. * record.energy_captured, record.n_snapshots);
     text += fmt::format("  trained at   {}\n", range_line(model.range));
-    text += fmt::format("  held out     {}\n", held_out_line(record.held_out_runs));
+    text += fmt::format("  held out     {}\n", held_out_line(record));
     text += fmt::format(
         "               surface velocity off by {:.2g} % (rms), {:.2g} % (worst) at {} shapes not trained on\n",
         100. * record.velocity_error_rms, 100. * record.velocity_error_max, record.n_held_out_samples);

@@ -39,7 +39,9 @@ namespace swimtwin
           {"error_indicator_m", "m", "what the last modes change in the displacement of the third period",
            [](Result r) { return r.error_indicator_m; }},
           {"inside_trained_range", "1", "1: parameters, shapes and angles are those the model was trained for; 0: not",
-           [](Result r) { return r.trust.inside() ? 1. : 0.; }}};
+           [](Result r) { return r.trust.inside() ? 1. : 0.; }},
+          {"held_out_error", "1", "relative error of the displacement in held-out full-order runs nearby",
+           [](Result r) { return r.held_out_error; }}};
       return all;
     }
 

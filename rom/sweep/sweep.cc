@@ -1,3 +1,4 @@
+#include <datasets/reduced/held_out_error.h>
 #include <datasets/system/clocks.h>
 #include <datasets/system/error.h>
 #include <datasets/system/parallel_for.h>
@@ -60,10 +61,12 @@ namespace swimtwin
     struct Swimmers
     {
       Swimmers(const ReducedModel &model)
-          : range(model.range), all(model), fewer(truncated(model, n_modes_of_comparison(model.n_modes())))
+          : range(model.range), record(model.record), all(model),
+            fewer(truncated(model, n_modes_of_comparison(model.n_modes())))
       {
       }
       TrainedRange   range;
+      TrainingRecord record;
       ReducedSwimmer all, fewer;
     };
 
@@ -83,11 +86,13 @@ namespace swimtwin
       SweepResult result_of(const SweepMember &member)
       {
         const double     start = thread_cpu_time_s();
-        SweepResult      result{member, not_known, not_known, not_known, not_known, {}, {}, 0., {}};
+        SweepResult      result{member, not_known, not_known, not_known, not_known, not_known, {}, {}, 0., {}};
         RunRequest       request = request_of(member, options_);
         const SwimmerRun run     = all_.run(request);
         result.trust             = trust_notes(swimmers_.range, request, run);
-        result.note              = run.failure;
+        result.held_out_error    = error_near(member);
+        note_held_out_error(swimmers_.record, result.held_out_error, result.trust);
+        result.note = run.failure;
         if (run.completed())
         {
           result.end            = run.at_period_end.back();
@@ -102,6 +107,18 @@ namespace swimtwin
       }
 
     private:
+      double error_near(const SweepMember &m) const
+      {
+        HeldOutRun like;
+        like.young_modulus_Pa  = m.parameters.young_modulus_Pa;
+        like.viscosity_Pa_s    = m.parameters.viscosity_Pa_s;
+        like.magnetization_A_m = m.parameters.magnetization_A_m;
+        like.frequency_Hz      = m.frequency_Hz;
+        like.bx_T              = m.bx_T;
+        like.by_T              = m.by_T;
+        return error_nearby(swimmers_.record, like).value_or(not_known);
+      }
+
       void add_indicator(RunRequest request, SweepResult &result)
       {
         if (swimmers_.fewer.n_modes() == swimmers_.all.n_modes())

@@ -47,6 +47,7 @@ namespace swimtwin
     SweepMember  member;
     double       displacement_m = 0., periodic_displacement_m = 0., error_indicator_m = 0.;
     double       largest_multiplier = 0.; ///< Floquet's, in size
+    double       held_out_error     = 0.; ///< relative, that held-out runs nearby had; NaN without any
     TrustNotes   trust;
     std::string  note;
     double       cpu_time_s = 0.;

@@ -1,6 +1,8 @@
 #include <rom/sweep/trained_ratios.h>
 #include <rom/sweep/trust.h>
 
+#include <datasets/reduced/held_out_error.h>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,6 +14,8 @@ namespace swimtwin
   {
     std::vector<std::string> all = outside_range;
     all.insert(all.end(), outside_region.begin(), outside_region.end());
+    if (!held_out.empty())
+      all.push_back(held_out);
     return fmt::format("{}", fmt::join(all, "; "));
   }
 
@@ -28,6 +32,14 @@ namespace swimtwin
     if (run.largest_angle_radius > 1.)
       notes.outside_region.push_back(fmt::format("angle at {:.3g} times the trained one", run.largest_angle_radius));
     return notes;
+  }
+
+  void note_held_out_error(const TrainingRecord &record, const double error, TrustNotes &notes)
+  {
+    if (std::isnan(error))
+      notes.held_out = "no held-out run tells the error";
+    else if (error > 2. * target_of(record))
+      notes.held_out = fmt::format("held-out runs nearby are off by {:.2g} %", 100. * error);
   }
 
   double displacement_error_indicator(const double all_modes_m, const double fewer_modes_m)

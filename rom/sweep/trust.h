@@ -17,6 +17,9 @@ namespace swimtwin
     std::vector<std::string> outside_range;
     std::vector<std::string> outside_region; ///< "shape 1.2 times the trained region's radius"
 
+    /// "held-out runs nearby are off by 20 %", if that is more than the model may be off at worst.
+    std::string held_out;
+
     bool inside() const { return outside_range.empty() && outside_region.empty(); }
     /// All phrases, separated by "; ".
     std::string text() const;
@@ -24,6 +27,9 @@ namespace swimtwin
 
   /// Every prediction outside the range is marked, of the ratios (see notes_outside_range) or of a parameter alone.
   TrustNotes trust_notes(const TrainedRange &range, const RunRequest &request, const SwimmerRun &run);
+
+  /// `error`: relative, of held-out runs nearby; NaN without any.
+  void note_held_out_error(const TrainingRecord &record, double error, TrustNotes &notes);
 
   /// Estimated error of a displacement (m) from that of the model with fewer modes: what the last modes change. The
   /// modes fade, so what all those left out would change is taken to be no more.

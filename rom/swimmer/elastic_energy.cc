@@ -28,6 +28,12 @@ namespace swimtwin
 
   ElasticEnergy::ElasticEnergy(const ReducedElasticity &elasticity, const ReducedTail &tail) : amplitudes_(tail)
   {
+    if (elasticity.energy.are_given())
+    {
+      given_.emplace(elasticity.energy, tail.coordinate_parity());
+      given_gradient_.emplace(gradient_of(elasticity.energy), tail.coordinate_parity());
+      return;
+    }
     Eigen::MatrixXd gram = lame_lambda(1., elasticity.poisson_ratio) * elasticity.gram_lambda +
                            shear_modulus(1., elasticity.poisson_ratio) * elasticity.gram_mu;
     gram += gram.transpose().eval();
@@ -98,12 +104,16 @@ namespace swimtwin
 
   double ElasticEnergy::value(const ShapeVector &q) const
   {
+    if (given_)
+      return given_->value(q)[0];
     const StrainVector m = monomials(amplitudes_.value(q));
     return 0.5 * m.dot(stress(m));
   }
 
   ShapeVector ElasticEnergy::gradient(const ShapeVector &q) const
   {
+    if (given_gradient_)
+      return given_gradient_->value(q);
     if (by_coordinates_)
       return by_coordinates_->value(q);
     const AmplitudeVector p = amplitudes_.value(q);
@@ -112,6 +122,8 @@ namespace swimtwin
 
   ShapeMatrix ElasticEnergy::hessian(const ShapeVector &q) const
   {
+    if (given_gradient_)
+      return given_gradient_->slopes(q);
     if (by_coordinates_)
       return by_coordinates_->slopes(q);
     const AmplitudeVector p = amplitudes_.value(q);
@@ -127,7 +139,7 @@ namespace swimtwin
       curvature(i, j) += s[k];
       curvature(j, i) += s[k];
     });
-    ShapeMatrix H = amplitudes_.curvature(gradient(p, s));
+    ShapeMatrix H = amplitudes_.curvature(q, gradient(p, s));
     H += J.transpose() * curvature * J;
     for (const auto &[first, gram] : blocks_)
     {

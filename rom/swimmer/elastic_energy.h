@@ -1,4 +1,5 @@
-// The exact St Venant-Kirchhoff energy of the modes, a quartic polynomial of their amplitudes.
+// The elastic energy: exact for modes of a St Venant-Kirchhoff tail, a quartic polynomial of their amplitudes, or one
+// that is given as a polynomial of the coordinates.
 #pragma once
 
 #include <datasets/reduced/reduced_model.h>
@@ -40,9 +41,11 @@ namespace swimtwin
     /// By the amplitudes, from that by the monomials.
     AmplitudeVector gradient(const AmplitudeVector &p, const StrainVector &stress) const;
 
-    ShapeAmplitudes               amplitudes_;
-    std::optional<EnergyGradient> by_coordinates_; ///< where it is the shorter way
-    std::vector<Block>            blocks_;
-    std::vector<int>              place_; ///< of the amplitudes, then of their products, among the monomials
+    /// An energy that is given as a polynomial, and its gradient.
+    std::optional<CoordinatePolynomials> given_, given_gradient_;
+    ShapeAmplitudes                      amplitudes_;
+    std::optional<EnergyGradient>        by_coordinates_; ///< where it is the shorter way
+    std::vector<Block>                   blocks_;
+    std::vector<int>                     place_; ///< of the amplitudes, then of their products, among the monomials
   };
 } // namespace swimtwin

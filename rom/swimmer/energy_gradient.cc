@@ -122,7 +122,7 @@ namespace swimtwin
   }
 
   EnergyGradient::EnergyGradient(const Terms &terms, const ReducedTail &tail)
-      : monomials_(terms.exponents, tail.parity.head(tail.n_coordinates())),
+      : monomials_(terms.exponents, tail.coordinate_parity()),
         coefficients_(Eigen::MatrixXd::Zero(monomials_.size(), tail.n_coordinates()))
   {
     first_ = monomials_.size();

@@ -31,7 +31,7 @@ namespace swimtwin
   ReducedSwimmer::ReducedSwimmer(const ReducedModel &model)
       : r_(checked(model).n_modes()), length_m_(largest_distance(model.tail.nodes_m)), tip_(model.tail),
         amplitudes_(model.tail), energy_(model.elasticity, model.tail),
-        resistance_(model.resistance, model.tail.parity.head(r_)), magnet_(model.magnet), area_(model.area)
+        resistance_(model.resistance, model.tail.coordinate_parity()), magnet_(model.magnet), area_(model.area)
   {
   }
 
@@ -54,7 +54,7 @@ namespace swimtwin
   ShapeMatrix ReducedSwimmer::area_hessian(const ShapeVector &q) const
   {
     const AmplitudeMatrix J = amplitudes_.slopes(q);
-    ShapeMatrix           H = amplitudes_.curvature(area_gradient_by_amplitudes(q));
+    ShapeMatrix           H = amplitudes_.curvature(q, area_gradient_by_amplitudes(q));
     H += 2. * J.transpose() * area_.quadratic * J;
     return H;
   }
@@ -68,8 +68,10 @@ namespace swimtwin
 
   Eigen::Vector2d ReducedSwimmer::moment(const ShapeVector &q, const SwimmerParameters &parameters) const
   {
-    return parameters.magnetization_A_m * magnet_.head_area_m2 * Eigen::Vector2d::UnitX() +
-           parameters.tail_magnetization_A_m * tail_area(q);
+    const Eigen::Vector2d head = parameters.magnetization_A_m * magnet_.head_area_m2 * Eigen::Vector2d::UnitX();
+    if (parameters.tail_magnetization_A_m == 0.)
+      return head;
+    return head + parameters.tail_magnetization_A_m * tail_area(q);
   }
 
   Eigen::Vector2d ReducedSwimmer::tail_area(const ShapeVector &q) const

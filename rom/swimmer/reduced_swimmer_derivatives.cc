@@ -50,7 +50,7 @@ namespace swimtwin
       const Eigen::Matrix2Xd slopes = tail_area_slopes(q);
       for (int l = 0; l < r_; ++l)
         columns(2, 1 + l) = M_tail * cross(slopes.col(l), b);
-      columns.block(3, 1, r_, r_) += M_tail * amplitudes_.curvature(magnet_.tail_area_of_mode_m.transpose() * b);
+      columns.block(3, 1, r_, r_) += M_tail * amplitudes_.curvature(q, magnet_.tail_area_of_mode_m.transpose() * b);
     }
 
     auto further                           = columns.rightCols<n_force_columns>();

@@ -8,10 +8,17 @@ namespace swimtwin
     using ProductVector        = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, max_products, 1>;
   } // namespace
 
-  ShapeAmplitudes::ShapeAmplitudes(const ReducedTail &tail) : r_(tail.n_coordinates()), followers_(tail.followers) {}
+  ShapeAmplitudes::ShapeAmplitudes(const ReducedTail &tail)
+      : r_(tail.n_coordinates()), followers_(tail.followers), given_(tail.amplitudes)
+  {
+    if (given_.are_given())
+      polynomials_.emplace(given_, tail.coordinate_parity());
+  }
 
   AmplitudeVector ShapeAmplitudes::value(const ShapeVector &q) const
   {
+    if (polynomials_)
+      return polynomials_->value(q);
     AmplitudeVector p(size());
     p.head(r_) = q;
     if (followers_.rows() == 0)
@@ -26,6 +33,8 @@ namespace swimtwin
 
   AmplitudeMatrix ShapeAmplitudes::slopes(const ShapeVector &q) const
   {
+    if (polynomials_)
+      return polynomials_->slopes(q);
     AmplitudeMatrix J = AmplitudeMatrix::Zero(size(), r_);
     J.topRows(r_).setIdentity();
     if (followers_.rows() == 0)
@@ -41,6 +50,8 @@ namespace swimtwin
 
   ShapeVector ShapeAmplitudes::pull_back(const ShapeVector &q, const AmplitudeVector &by_amplitudes) const
   {
+    if (polynomials_)
+      return polynomials_->slopes(q).transpose() * by_amplitudes;
     ShapeVector by_q = by_amplitudes.head(r_);
     if (followers_.rows() == 0)
       return by_q;
@@ -55,8 +66,13 @@ namespace swimtwin
     return by_q;
   }
 
-  ShapeMatrix ShapeAmplitudes::curvature(const AmplitudeVector &weights) const
+  ShapeMatrix ShapeAmplitudes::curvature(const ShapeVector &q, const AmplitudeVector &weights) const
   {
+    if (polynomials_)
+    {
+      const ShapePolynomials weighted{given_.scale_m, given_.exponents, given_.coefficients * weights};
+      return CoordinatePolynomials(gradient_of(weighted), Eigen::VectorXi::Constant(r_, -1)).slopes(q);
+    }
     ShapeMatrix H = ShapeMatrix::Zero(r_, r_);
     if (followers_.rows() == 0)
       return H;

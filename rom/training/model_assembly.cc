@@ -1,5 +1,6 @@
 #include <rom/training/model_assembly.h>
 
+#include <rom/training/bent_tail.h>
 #include <rom/training/strain_grams.h>
 
 namespace swimtwin
@@ -9,16 +10,23 @@ namespace swimtwin
     ReducedTail assemble_tail(const Swimmer<2> &swimmer, const SnapshotSet &set, const TailBasis &basis)
     {
       ReducedTail tail;
-      tail.nodes_m = set.tail_nodes_m;
-      tail.cells   = set.tail_cells;
+      tail.nodes_m         = set.tail_nodes_m;
+      tail.cells           = set.tail_cells;
+      tail.before_tip_node = static_cast<int>(swimmer.tail().axis_at_tip[1]);
+      tail.tip_node        = static_cast<int>(swimmer.tail().axis_at_tip[2]);
+      if (basis.bent)
+      {
+        tail.modes      = basis.bent->modes;
+        tail.parity     = basis.bent->parity;
+        tail.amplitudes = basis.bent->amplitudes;
+        return tail;
+      }
       tail.modes.resize(basis.coordinates.rows(), basis.n_coordinates() + basis.n_followers());
       tail.modes << basis.coordinates, basis.followers;
       tail.followers = basis.quadratic;
       tail.parity.resize(tail.modes.cols());
       tail.parity << Eigen::VectorXi::Constant(basis.n_coordinates(), -1),
           Eigen::VectorXi::Constant(basis.n_followers(), 1);
-      tail.before_tip_node = static_cast<int>(swimmer.tail().axis_at_tip[1]);
-      tail.tip_node        = static_cast<int>(swimmer.tail().axis_at_tip[2]);
       return tail;
     }
 
@@ -40,7 +48,8 @@ namespace swimtwin
   {
     ReducedModel model;
     model.tail       = assemble_tail(swimmer, set, basis);
-    model.elasticity = compute_strain_grams(swimmer, model.tail.modes);
+    model.elasticity = basis.bent ? ReducedElasticity{{}, {}, swimmer.scene().tail->poisson_ratio, basis.bent->energy}
+                                  : compute_strain_grams(swimmer, model.tail.modes);
     model.magnet     = assemble_magnet(swimmer, model.tail.modes);
     // Coordinates only bend and followers follow: what is left of a change of area is not theirs to refuse.
     const Eigen::Index n = model.tail.modes.cols();

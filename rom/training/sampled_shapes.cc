@@ -14,10 +14,9 @@ namespace swimtwin
                                             const TailSpace &space)
   {
     std::vector<ShapePoint> points;
-    const Eigen::MatrixXd   projection = basis.coordinates.transpose() * space.mean_product;
     for (const auto &set : sets)
     {
-      const Eigen::MatrixXd q = projection * set.tail_displacement_m.transpose();
+      const Eigen::MatrixXd q = basis.coordinates_of(space, set.tail_displacement_m.transpose());
       for (Eigen::Index k = 0; k < q.cols(); ++k)
         points.push_back({q.col(k), set.pose(k, 2), 0., 0.});
     }

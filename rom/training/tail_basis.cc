@@ -1,6 +1,7 @@
 #include <rom/training/tail_basis.h>
 
 #include <datasets/system/error.h>
+#include <rom/training/bent_tail.h>
 
 #include <algorithm>
 #include <array>
@@ -35,13 +36,27 @@ namespace swimtwin
     return quadratic * products(q);
   }
 
+  int TailBasis::n_coordinates() const
+  {
+    return bent ? bent->coordinates.n_coordinates() : static_cast<int>(coordinates.cols());
+  }
+
+  Eigen::MatrixXd TailBasis::coordinates_of(const TailSpace &space, const Eigen::MatrixXd &displacements) const
+  {
+    return bent ? bent->coordinates.of(displacements) : space.amplitudes(coordinates, displacements);
+  }
+
   Eigen::VectorXd TailBasis::displacement(const Eigen::VectorXd &q) const
   {
+    if (bent)
+      return bent->modes * bent->polynomials.value(q);
     return coordinates * q + followers * follower_amplitudes(q);
   }
 
   Eigen::MatrixXd TailBasis::tangent(const Eigen::VectorXd &q) const
   {
+    if (bent)
+      return bent->modes * bent->polynomials.slopes(q);
     return coordinates + followers * (quadratic * products_derivative(q));
   }
 

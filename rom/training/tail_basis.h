@@ -6,24 +6,33 @@
 #include <Eigen/Dense>
 #include <Eigen/Sparse>
 
+#include <memory>
 #include <vector>
 
 namespace swimtwin
 {
+  struct BentTail;
+  struct TailSpace;
+
   /// d(X; q) = sum_i q_i phi_i + sum_k p_k(q) psi_k with p_k a quadratic form: a tail that bends shortens. All modes
   /// are orthonormal in the mean over the tail. Bending modes (odd under the mirror) are coordinates; a product of two
   /// of them is even, and so are the followers.
+  ///
+  /// Or, if `bent` is there, that alone: coordinates are bending angles, and all modes follow them.
   struct TailBasis
   {
-    Eigen::MatrixXd coordinates;     ///< 2 n_nodes x r
-    Eigen::MatrixXd followers;       ///< 2 n_nodes x s
-    Eigen::MatrixXd quadratic;       ///< s x r (r + 1) / 2; q_i q_j, j <= i, is column i (i + 1) / 2 + j
+    std::shared_ptr<const BentTail> bent;
+    Eigen::MatrixXd                 coordinates; ///< 2 n_nodes x r
+    Eigen::MatrixXd                 followers;   ///< 2 n_nodes x s
+    Eigen::MatrixXd                 quadratic;   ///< s x r (r + 1) / 2; q_i q_j, j <= i, is column i (i + 1) / 2 + j
     Eigen::VectorXd singular_values; ///< of bending and symmetric snapshots together, by size; empty without snapshots
     double          energy_captured = 0.; ///< share of the snapshots' energy that the basis, followers included, holds
     double          projection_error_m = 0.; ///< root mean square over snapshots and tail of what it cannot represent
 
-    int n_coordinates() const { return static_cast<int>(coordinates.cols()); }
-    int n_followers() const { return static_cast<int>(followers.cols()); }
+    int n_coordinates() const;
+    /// Coordinates of displacements, one column each.
+    Eigen::MatrixXd coordinates_of(const TailSpace &space, const Eigen::MatrixXd &displacements) const;
+    int             n_followers() const { return static_cast<int>(followers.cols()); }
 
     Eigen::VectorXd follower_amplitudes(const Eigen::VectorXd &q) const;
     /// The tail's displacement, and its derivative by q (2 n_nodes x r).

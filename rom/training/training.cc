@@ -8,6 +8,7 @@
 #include <fom/run/run_recorder.h>
 #include <rom/swimmer/dense_algebra.h>
 #include <rom/training/basis_builder.h>
+#include <rom/training/bent_tail.h>
 #include <rom/training/explored_shapes.h>
 #include <rom/training/held_out_runs.h>
 #include <rom/training/model_assembly.h>
@@ -79,9 +80,34 @@ namespace swimtwin
         if (options_.basis == BasisChoice::pod)
           for (std::size_t k = 0; k < sets_.size(); ++k)
             builder.add(sets_[k], sources_[k].string());
-        basis_       = builder.compute(options_.n_coordinates, options_.n_followers);
-        n_snapshots_ = builder.n_snapshots();
-        rest_        = {Eigen::VectorXd::Zero(basis_.n_coordinates()), 0., 0., 0.};
+        if (options_.basis == BasisChoice::bending)
+          choose_bending();
+        else
+          basis_ = builder.compute(options_.n_coordinates, options_.n_followers);
+        n_snapshots_ = 0;
+        for (const auto &set : sets_)
+          n_snapshots_ += static_cast<int>(set.tail_displacement_m.rows());
+        rest_ = {Eigen::VectorXd::Zero(basis_.n_coordinates()), 0., 0., 0.};
+      }
+
+      void choose_bending()
+      {
+        Eigen::MatrixXd X(tail_.tail_nodes_m.size(), 0);
+        for (const auto &set : sets_)
+        {
+          const Eigen::Index m = X.cols();
+          X.conservativeResize(Eigen::NoChange, m + set.tail_displacement_m.rows());
+          X.rightCols(set.tail_displacement_m.rows()) = set.tail_displacement_m.transpose();
+        }
+        BendingCoordinates coordinates(swimmer_);
+        coordinates.choose_modes(X, options_.n_coordinates);
+        basis_.bent = std::make_shared<const BentTail>(
+            fit_bent_tail(swimmer_, space_, coordinates, coordinates.of(X), communicator_,
+                          [&](const int done, const int total) { report("shapes of least energy", done, total); }));
+        if (getenv("BENT_DEBUG"))
+          fmt::print(stderr, "bent: {} shapes, {} modes, shape error {:.2e}, moment error {:.2e}, monomials {} {}\n", basis_.bent->n_shapes, basis_.bent->modes.cols(), basis_.bent->shape_error, basis_.bent->moment_error, basis_.bent->amplitudes.exponents.rows(), basis_.bent->energy.exponents.rows());
+        basis_.singular_values = coordinates.singular_values() * coordinates.length_m();
+        record_representation(X, space_, basis_);
       }
 
       void follow_middle()
@@ -97,7 +123,10 @@ namespace swimtwin
         std::string bytes = fmt::format("{} {:.17g}", scene_.hash, wandering_.usual.by_sine_m);
         bytes.append(reinterpret_cast<const char *>(wandering_.usual.by_coordinate.data()),
                      static_cast<std::size_t>(wandering_.usual.by_coordinate.size()) * sizeof(double));
-        for (const auto *numbers : {&basis_.coordinates, &basis_.followers, &basis_.quadratic})
+        const Eigen::MatrixXd none;
+        for (const auto *numbers :
+             {&basis_.coordinates, &basis_.followers, &basis_.quadratic, basis_.bent ? &basis_.bent->modes : &none,
+              basis_.bent ? &basis_.bent->amplitudes.coefficients : &none})
           bytes.append(reinterpret_cast<const char *>(numbers->data()),
                        static_cast<std::size_t>(numbers->size()) * sizeof(double));
         return digest(bytes);
@@ -181,6 +210,7 @@ namespace swimtwin
       void record()
       {
         auto &r                = model_.record;
+        r.target               = options_.target;
         r.singular_values_m    = basis_.singular_values.head(std::min<Eigen::Index>(40, basis_.singular_values.size()));
         r.energy_captured      = basis_.energy_captured;
         r.n_snapshots          = n_snapshots_;

@@ -11,18 +11,21 @@
 
 namespace swimtwin
 {
-  enum class BasisChoice { pod, elastic };
+  /// bending: bending angles, all else relaxed; pod: displacement modes of the runs, and modes that follow them by a
+  /// quadratic form; elastic: the same of the tail alone, without data.
+  enum class BasisChoice { bending, pod, elastic };
 
   struct TrainingOptions
   {
     std::filesystem::path              folder; ///< exists; nothing is written elsewhere
     std::string                        command_line;
     TrainedRange                       range;
-    BasisChoice                        basis         = BasisChoice::pod;
+    BasisChoice                        basis         = BasisChoice::bending;
     int                                n_coordinates = 4, n_followers = 8;
     int                                n_samples        = 1200; ///< of the resistance
     int                                n_held_out       = 4;    ///< full-order runs to compare with
     int                                steps_per_period = 60;   ///< of the runs that snapshots are taken from
+    double                             target           = 0.01; ///< relative error of held-out displacements to be met
     double                             shape_margin     = 1.15; ///< region that is sampled over the largest shape seen
     std::vector<std::filesystem::path> snapshots;               ///< more files of the same swimmer
     /// On every rank: work done and in all, of a stage of the training.

@@ -1,0 +1,30 @@
+#include <app/model_error.h>
+
+#include <datasets/reduced/held_out_error.h>
+#include <datasets/system/console.h>
+#include <datasets/system/error.h>
+
+#include <fmt/format.h>
+
+namespace swimtwin
+{
+  void warn_of_model_error(const ReducedModel &model, const std::string &name)
+  {
+    if (model.record.held_out_runs.empty())
+      warn(fmt::format("{}: how far the reduced model is off is not known: it has no held-out runs", name));
+    else if (const std::string missed = missed_target(model.record); !missed.empty())
+      warn(fmt::format("{}: {}", name, missed));
+  }
+
+  void require_borne_model_error(const ReducedModel &model, const std::string &name, const bool is_accepted)
+  {
+    const HeldOutError error = displacement_error(model.record);
+    if (error.is_known() && !error.is_within(largest_borne_error) && !is_accepted)
+      throw InputError(
+          fmt::format("{}: displacements of the reduced model are off by {}, more than the {:g} % (twice as "
+                      "much at worst) that a result may rest on; train it on a narrower range, with more "
+                      "--modes and --samples, or say {} to go on all the same.",
+                      name, error.text(), 100. * largest_borne_error, accept_model_error));
+    warn_of_model_error(model, name);
+  }
+} // namespace swimtwin

@@ -1,0 +1,82 @@
+#include <datasets/reduced/held_out_error.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace swimtwin
+{
+  double relative_error(const HeldOutRun &run, const TrainingRecord &record)
+  {
+    double largest = 0.;
+    for (const HeldOutRun &other : record.held_out_runs)
+      largest = std::max(largest, std::abs(other.displacement_m));
+    return std::abs(run.reduced_displacement_m - run.displacement_m) /
+           std::max(std::abs(run.displacement_m), .05 * largest);
+  }
+
+  HeldOutError displacement_error(const TrainingRecord &record)
+  {
+    HeldOutError error;
+    for (const HeldOutRun &run : record.held_out_runs)
+    {
+      const double e = relative_error(run, record);
+      error.worst    = std::max(error.worst, e);
+      error.rms += e * e;
+    }
+    error.n_runs = static_cast<int>(record.held_out_runs.size());
+    error.rms    = std::sqrt(error.rms / std::max(1, error.n_runs));
+    return error;
+  }
+
+  std::string HeldOutError::text() const
+  {
+    return fmt::format("{:.2g} % (rms), {:.2g} % (worst) in {} full-order runs not trained on", 100. * rms,
+                       100. * worst, n_runs);
+  }
+
+  double target_of(const TrainingRecord &record)
+  {
+    return record.target > 0. ? record.target : usual_target;
+  }
+
+  std::string missed_target(const TrainingRecord &record)
+  {
+    const HeldOutError error  = displacement_error(record);
+    const double       target = target_of(record);
+    if (!error.is_known() || error.is_within(target))
+      return {};
+    return fmt::format("the reduced model misses its target: displacements are off by {}, and {:.3g} % (rms; twice as "
+                       "much at worst) was aimed at",
+                       error.text(), 100. * target);
+  }
+
+  RunGroups run_groups(const HeldOutRun &p)
+  {
+    constexpr double nothing = 1e-300;
+    const double     rate    = p.viscosity_Pa_s * p.frequency_Hz;
+    return {std::log(p.young_modulus_Pa / rate),
+            std::log(std::max(nothing, std::abs(p.magnetization_A_m) * std::hypot(p.bx_T, p.by_T) / rate)),
+            std::atan2(std::abs(p.by_T), p.bx_T)};
+  }
+
+  std::optional<double> error_nearby(const TrainingRecord &record, const HeldOutRun &parameters)
+  {
+    constexpr double reach = 0.7, weight_of_all = 0.1; // log 2; what a run at 2 reaches has
+    const RunGroups  own = run_groups(parameters);
+    double           sum = weight_of_all * std::pow(displacement_error(record).rms, 2), weights = weight_of_all;
+    for (const HeldOutRun &run : record.held_out_runs)
+    {
+      const RunGroups other = run_groups(run);
+      const double    distance =
+          std::hypot(own.elastic - other.elastic, own.magnetic - other.magnetic, own.slope - other.slope) / reach;
+      const double weight = std::exp(-.5 * distance * distance);
+      sum += weight * std::pow(relative_error(run, record), 2);
+      weights += weight;
+    }
+    if (record.held_out_runs.empty())
+      return {};
+    return std::sqrt(sum / weights);
+  }
+} // namespace swimtwin

@@ -1,0 +1,31 @@
+// Polynomials of the shape's coordinates, all of them at once.
+#pragma once
+
+#include <datasets/reduced/reduced_model.h>
+#include <rom/swimmer/monomial_table.h>
+#include <rom/swimmer/state_vectors.h>
+
+namespace swimtwin
+{
+  class CoordinatePolynomials
+  {
+  public:
+    /// `parity` of the coordinates.
+    CoordinatePolynomials(const ShapePolynomials &polynomials, const Eigen::VectorXi &parity);
+
+    int             size() const { return static_cast<int>(coefficients_.rows()); }
+    Eigen::VectorXd value(const ShapeVector &q) const;
+    /// By the coordinates (not scaled), size() x r.
+    Eigen::MatrixXd slopes(const ShapeVector &q) const;
+
+    static constexpr int max_monomials = 2048;
+
+  private:
+    Eigen::VectorXd inverse_scale_;
+    MonomialTable   monomials_;
+    Eigen::MatrixXd coefficients_; ///< size() x monomials as the table orders them
+  };
+
+  /// The derivatives of the first polynomial by all coordinates, as polynomials.
+  ShapePolynomials gradient_of(const ShapePolynomials &polynomials);
+} // namespace swimtwin

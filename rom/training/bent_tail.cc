@@ -1,0 +1,205 @@
+#include <rom/training/bent_tail.h>
+
+#include <datasets/system/error.h>
+#include <rom/swimmer/dense_algebra.h>
+#include <rom/training/monomial_features.h>
+#include <rom/training/pod.h>
+#include <rom/training/relaxed_tail.h>
+#include <rom/training/sampled_shapes.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace swimtwin
+{
+  namespace
+  {
+    constexpr int    n_along_runs = 90, n_filling = 60, n_on_the_way = 5;
+    constexpr double beyond_runs      = 1.2; ///< polynomials must not turn round where runs may come
+    constexpr double smallest_mode    = 1e-5;
+    constexpr int    max_modes_a_part = max_amplitudes / 2;
+
+    std::vector<ShapePoint> points_of(const Eigen::MatrixXd &seen)
+    {
+      std::vector<ShapePoint> points;
+      for (const auto q : seen.colwise())
+        points.push_back({q, 0., 0., 0.});
+      return points;
+    }
+
+    std::vector<Eigen::VectorXd> goals(const Eigen::MatrixXd &seen, const SampledRegion &region)
+    {
+      const ShapePoint             rest{Eigen::VectorXd::Zero(seen.rows()), 0., 0., 0.};
+      std::vector<Eigen::VectorXd> q;
+      for (const auto &point :
+           spread_out(points_of(seen), {rest}, region, Eigen::VectorXd::Ones(seen.rows()), n_along_runs))
+        q.push_back(beyond_runs * point.q);
+      for (const auto &point : filling_points(region, rest, n_filling))
+        q.push_back(beyond_runs * point.q);
+      for (const auto &point : axis_points(region, rest))
+        if (point.q.norm() > 0.)
+          q.push_back(point.q);
+      return q;
+    }
+
+    /// A matrix with few rows below that keep coefficients small where data do not tell them.
+    Eigen::MatrixXd least_squares(const Eigen::MatrixXd &A, const Eigen::MatrixXd &data)
+    {
+      constexpr double ridge = 1e-7;
+      Eigen::MatrixXd  rows(A.rows() + A.cols(), A.cols());
+      Eigen::MatrixXd  right = Eigen::MatrixXd::Zero(A.rows() + A.cols(), data.cols());
+      rows << A, ridge * std::sqrt(static_cast<double>(A.rows())) * Eigen::MatrixXd::Identity(A.cols(), A.cols());
+      right.topRows(A.rows()) = data;
+      return solve_by_plain_qr(rows, right);
+    }
+
+    Eigen::MatrixXi without_constant(const Eigen::MatrixXi &exponents, const int odd)
+    {
+      std::vector<int> rows;
+      for (const int row : of_parity(exponents, odd))
+        if (exponents.row(row).sum() > 0)
+          rows.push_back(row);
+      return exponents(rows, Eigen::all);
+    }
+
+    struct Shapes
+    {
+      Eigen::MatrixXd z;             ///< scaled coordinates, one row each
+      Eigen::MatrixXd displacements; ///< one column each
+      Eigen::MatrixXd slopes;        ///< of the energy by z, one row each
+    };
+
+    Shapes table_of(const std::vector<RelaxedShape> &relaxed, const Eigen::VectorXd &scale)
+    {
+      const auto m = static_cast<Eigen::Index>(relaxed.size());
+      Shapes     shapes{Eigen::MatrixXd(m, scale.size()), Eigen::MatrixXd(relaxed.front().displacement.size(), m),
+                    Eigen::MatrixXd(m, scale.size())};
+      for (Eigen::Index k = 0; k < m; ++k)
+      {
+        shapes.z.row(k)             = relaxed[k].q.cwiseQuotient(scale).transpose();
+        shapes.displacements.col(k) = relaxed[k].displacement;
+        shapes.slopes.row(k)        = relaxed[k].slope_m.cwiseProduct(scale).transpose();
+      }
+      return shapes;
+    }
+
+    Eigen::MatrixXd modes_of(const Eigen::MatrixXd &fields, const TailSpace &space, const MPI_Comm communicator,
+                             const double smallest)
+    {
+      PodBuilder builder(space.mean_product, communicator);
+      builder.add(fields);
+      const Pod    pod = builder.compute(max_modes_a_part);
+      Eigen::Index n   = 0;
+      while (n < pod.modes.cols() && pod.singular_values(n) > smallest)
+        ++n;
+      return pod.modes.leftCols(n);
+    }
+
+    void fit_shapes(const Shapes &shapes, const Eigen::MatrixXi &exponents, const TailSpace &space,
+                    const MPI_Comm communicator, BentTail &bent)
+    {
+      const Eigen::MatrixXd mirror = space.mirrored(shapes.displacements);
+      const double size = std::sqrt(shapes.displacements.cwiseProduct(space.mean_product * shapes.displacements).sum());
+      const Eigen::MatrixXd odd =
+          modes_of((shapes.displacements - mirror) / 2., space, communicator, smallest_mode * size);
+      const Eigen::MatrixXd even =
+          modes_of((shapes.displacements + mirror) / 2., space, communicator, smallest_mode * size);
+      bent.modes.resize(odd.rows(), odd.cols() + even.cols());
+      bent.modes << (odd - space.mirrored(odd)) / 2., (even + space.mirrored(even)) / 2.;
+      bent.parity.resize(bent.modes.cols());
+      bent.parity << Eigen::VectorXi::Constant(odd.cols(), -1), Eigen::VectorXi::Constant(even.cols(), 1);
+
+      const Eigen::MatrixXd data  = space.amplitudes(bent.modes, shapes.displacements).transpose();
+      const Eigen::MatrixXi e_odd = without_constant(exponents, 1), e_even = without_constant(exponents, 0);
+      bent.amplitudes.exponents.resize(e_odd.rows() + e_even.rows(), exponents.cols());
+      bent.amplitudes.exponents << e_odd, e_even;
+      bent.amplitudes.coefficients = Eigen::MatrixXd::Zero(bent.amplitudes.exponents.rows(), bent.modes.cols());
+      bent.amplitudes.coefficients.topLeftCorner(e_odd.rows(), odd.cols()) =
+          least_squares(design(e_odd, shapes.z), data.leftCols(odd.cols()));
+      bent.amplitudes.coefficients.bottomRightCorner(e_even.rows(), even.cols()) =
+          least_squares(design(e_even, shapes.z), data.rightCols(even.cols()));
+      const Eigen::MatrixXd left =
+          shapes.displacements -
+          bent.modes * (design(bent.amplitudes.exponents, shapes.z) * bent.amplitudes.coefficients).transpose();
+      bent.shape_error = std::sqrt(left.cwiseProduct(space.mean_product * left).sum()) / size;
+    }
+
+    /// Derivatives of the monomials by z_k, one row per shape.
+    Eigen::MatrixXd slope_design(const Eigen::MatrixXi &exponents, const Eigen::MatrixXd &z, const Eigen::Index k)
+    {
+      Eigen::MatrixXi lower = exponents;
+      lower.col(k)          = (exponents.col(k).array() - 1).max(0);
+      return design(lower, z) * exponents.col(k).cast<double>().asDiagonal();
+    }
+
+    /// To the multipliers, which are the energy's derivatives; small bends count by their own size.
+    void fit_energy(const Shapes &shapes, const Eigen::MatrixXi &exponents, BentTail &bent)
+    {
+      const Eigen::Index m = shapes.z.rows(), r = shapes.z.cols();
+      bent.energy.exponents        = without_constant(exponents, 0);
+      const Eigen::VectorXd weight = (shapes.z.rowwise().norm().array() + .1).inverse();
+      Eigen::MatrixXd       A(m * r, bent.energy.exponents.rows()), data(m * r, 1);
+      for (Eigen::Index k = 0; k < r; ++k)
+      {
+        A.middleRows(k * m, m)    = weight.asDiagonal() * slope_design(bent.energy.exponents, shapes.z, k);
+        data.middleRows(k * m, m) = weight.asDiagonal() * shapes.slopes.col(k);
+      }
+      const double size        = std::sqrt(data.squaredNorm() / static_cast<double>(m * r));
+      bent.energy.coefficients = size * least_squares(A, data / size);
+      bent.moment_error        = (A * bent.energy.coefficients - data).norm() / data.norm();
+    }
+  } // namespace
+
+  BentTail fit_bent_tail(const Swimmer<2> &swimmer, const TailSpace &space, const BendingCoordinates &coordinates,
+                         const Eigen::MatrixXd &seen, const MPI_Comm communicator,
+                         const std::function<void(int, int)> &on_progress)
+  {
+    const SampledRegion       region = region_around(points_of(seen), 1.);
+    RelaxedTail               tail(swimmer, coordinates);
+    std::vector<RelaxedShape> relaxed;
+    const auto                ends = goals(seen, region);
+    for (std::size_t k = 0; k < ends.size(); ++k)
+    {
+      for (auto &shape : tail.on_the_way_to(ends[k], n_on_the_way))
+        relaxed.push_back(std::move(shape));
+      if (on_progress)
+        on_progress(static_cast<int>(k) + 1, static_cast<int>(ends.size()));
+    }
+    if (2 * relaxed.size() < n_on_the_way * ends.size())
+      throw ComputationError("more than half of the tail's shapes of least energy could not be computed: narrow the "
+                             "range (a stiffer tail, a weaker field) or lower --modes");
+
+    BentTail bent{
+        coordinates,
+        {},
+        {},
+        {},
+        {},
+        {{Eigen::VectorXd::Ones(seen.rows()), Eigen::MatrixXi::Zero(1, seen.rows()), Eigen::MatrixXd::Zero(1, 1)},
+         Eigen::VectorXi::Constant(seen.rows(), -1)}};
+    bent.n_shapes       = static_cast<int>(relaxed.size());
+    const Shapes shapes = table_of(relaxed, region.coordinate_scale_m);
+    // Angles enter by their sines and cosines: a power is worth an angle, over its factorial.
+    const Eigen::VectorXd effects =
+        (.5 * region.coordinate_scale_m / coordinates.length_m()).cwiseMin(.7).cwiseMax(.02);
+    const auto m            = shapes.z.rows();
+    bent.amplitudes.scale_m = bent.energy.scale_m = region.coordinate_scale_m;
+    fit_shapes(shapes, feature_sets(effects, m).back(), space, communicator, bent);
+    fit_energy(shapes, feature_sets(effects, 2 * m).back(), bent);
+    bent.polynomials = CoordinatePolynomials(bent.amplitudes, Eigen::VectorXi::Constant(seen.rows(), -1));
+    return bent;
+  }
+
+  void record_representation(const Eigen::MatrixXd &displacements, const TailSpace &space, TailBasis &basis)
+  {
+    const Eigen::MatrixXd q    = basis.coordinates_of(space, displacements);
+    Eigen::MatrixXd       left = displacements;
+    for (Eigen::Index k = 0; k < left.cols(); ++k)
+      left.col(k) -= basis.displacement(q.col(k));
+    const auto squares = [&](const Eigen::MatrixXd &fields) {
+      return fields.cwiseProduct(space.mean_product * fields).sum() / static_cast<double>(fields.cols());
+    };
+    basis.projection_error_m = std::sqrt(squares(left));
+    basis.energy_captured    = 1. - squares(left) / squares(displacements);
+  }
+} // namespace swimtwin

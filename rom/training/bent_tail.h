@@ -1,0 +1,35 @@
+// Shapes and elastic energy of a tail against its bending coordinates: polynomials through shapes of least energy.
+#pragma once
+
+#include <datasets/reduced/reduced_model.h>
+#include <rom/swimmer/coordinate_polynomials.h>
+#include <rom/training/bending_coordinates.h>
+#include <rom/training/tail_basis.h>
+
+#include <mpi.h>
+
+#include <functional>
+
+namespace swimtwin
+{
+  struct BentTail
+  {
+    BendingCoordinates    coordinates;
+    Eigen::MatrixXd       modes;  ///< 2 n_nodes x R, orthonormal in the mean over the tail
+    Eigen::VectorXi       parity; ///< of the modes under the mirror
+    ShapePolynomials      amplitudes, energy;
+    CoordinatePolynomials polynomials;       ///< the amplitudes, to be evaluated
+    int                   n_shapes     = 0;  ///< that they are fitted to
+    double                shape_error  = 0.; ///< root mean square misfit of the shapes, relative
+    double                moment_error = 0.; ///< of the energy's derivatives, relative
+  };
+
+  /// `seen`: coordinates that runs went through, one column each; shapes are relaxed there, a fifth beyond, and in the
+  /// ball around. Collective. Throws ComputationError if too few shapes can be relaxed.
+  BentTail fit_bent_tail(const Swimmer<2> &swimmer, const TailSpace &space, const BendingCoordinates &coordinates,
+                         const Eigen::MatrixXd &seen, MPI_Comm communicator,
+                         const std::function<void(int, int)> &on_progress = {});
+
+  /// What a bent basis leaves of displacements (one per column).
+  void record_representation(const Eigen::MatrixXd &displacements, const TailSpace &space, TailBasis &basis);
+} // namespace swimtwin
