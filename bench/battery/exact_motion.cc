@@ -43,18 +43,19 @@ namespace swimtwin
     }
   } // namespace
 
-  Configuration<2> ExactMotion::configuration(const Eigen::VectorXd &state, const bool in_place) const
+  Configuration<2> ExactMotion::configuration(const Eigen::VectorXd &state, const ResistanceSource source) const
   {
     Configuration<2> c      = swimmer_.configuration_at_rest();
     const auto       middle = c.pose.to_laboratory(swimmer_.arm_to_middle(c.shape));
     c.pose.angle            = state[2];
     c.shape                 = nodal_field<2>(basis_.displacement(state.tail(basis_.n_coordinates())));
-    if (in_place)
-      c.pose.center += dealii::Tensor<1, 2>({state[0], state[1]});
-    else
-      c.pose.center = middle +
-                      dealii::Tensor<1, 2>({0., place_.height_m({state.tail(basis_.n_coordinates()), state[2]})}) -
-                      c.pose.rotation() * swimmer_.arm_to_middle(c.shape);
+    const auto there        = c.pose.center + dealii::Tensor<1, 2>({state[0], state[1]});
+    c.pose.center           = middle - c.pose.rotation() * swimmer_.arm_to_middle(c.shape);
+    if (source != ResistanceSource::full_order_in_usual_place)
+      c.pose.center[0] = there[0];
+    c.pose.center[1] = source == ResistanceSource::full_order_in_place
+                           ? there[1]
+                           : there[1] - state[1] + place_.height_m({state.tail(basis_.n_coordinates()), state[2]});
     return c;
   }
 
@@ -62,14 +63,11 @@ namespace swimtwin
   {
     const Eigen::VectorXd q = state.tail(basis_.n_coordinates());
     if (source == ResistanceSource::surrogate)
-      return reduced_.resistance().resistance(q, state[2]);
+      return reduced_.resistance().resistance(q, state[2], state[1]);
     std::vector<NodalField<2>> modes;
     for (const Eigen::MatrixXd tangent = basis_.tangent(q); const auto column : tangent.colwise())
       modes.push_back(nodal_field<2>(column));
-    const auto R =
-        compute_motion_resistance(swimmer_, configuration(state, source == ResistanceSource::full_order_in_place),
-                                  modes, MPI_COMM_SELF)
-            .matrix;
+    const auto      R = compute_motion_resistance(swimmer_, configuration(state, source), modes, MPI_COMM_SELF).matrix;
     Eigen::MatrixXd result(R.m(), R.n());
     for (unsigned int i = 0; i < R.m(); ++i)
       for (unsigned int j = 0; j < R.n(); ++j)
@@ -108,7 +106,7 @@ namespace swimtwin
           throw ComputationError(fmt::format("step {}, iteration {}, state {}: {}", k, iteration,
                                              fmt::join(next.data(), next.data() + next.size(), " "), error.what()));
         }
-        Eigen::VectorXd       at = next;
+        Eigen::VectorXd at = next;
         for (int newton = 0; newton < 20; ++newton)
         {
           const Load            f        = load(reduced_, at, p, static_cast<double>(k) / n);

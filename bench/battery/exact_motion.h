@@ -9,7 +9,12 @@
 
 namespace swimtwin
 {
-  enum class ResistanceSource { full_order_in_place, full_order_in_usual_place, surrogate };
+  enum class ResistanceSource {
+    full_order_in_place,
+    full_order_at_usual_height, ///< but as far along as it is
+    full_order_in_usual_place,
+    surrogate
+  };
 
   /// Steps of BDF2 as in the full-order model; the resistance of each is iterated, the elastic force by Newton's
   /// method.
@@ -32,7 +37,7 @@ namespace swimtwin
     const ReducedSwimmer &reduced() const { return reduced_; }
 
   private:
-    Configuration<2> configuration(const Eigen::VectorXd &state, bool in_place) const;
+    Configuration<2> configuration(const Eigen::VectorXd &state, ResistanceSource source) const;
 
     const Swimmer<2> &swimmer_;
     ReducedSwimmer    reduced_;

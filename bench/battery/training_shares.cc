@@ -68,7 +68,7 @@ namespace swimtwin
       double energy = 0.;                   ///< of the shape on the modes over that of the shape, at most
       double fit = 0., place = 0.;          ///< relative error of velocities under the loads, rms
       double radius = 0.;                   ///< largest of the region's
-      double full = 0., modes = 0., usual = 0., surrogate = 0., model = 0.; ///< displacements, m
+      double full = 0., modes = 0., height = 0., usual = 0., surrogate = 0., model = 0.; ///< displacements, m
     };
 
     class Measurement
@@ -77,7 +77,8 @@ namespace swimtwin
       Measurement(const Scene &scene, const std::filesystem::path &trained, const std::filesystem::path &work,
                   const int steps)
           : scene_(scene), work_(work), steps_(steps), swimmer_(scene_, MPI_COMM_SELF),
-            model_(read_reduced_model(trained / "model.h5")), space_(make_tail_space(RunRecorder(scene_).snapshots(swimmer_)))
+            model_(read_reduced_model(trained / "model.h5")),
+            space_(make_tail_space(RunRecorder(scene_).snapshots(swimmer_)))
       {
         const auto      sets = training_sets(trained);
         Eigen::MatrixXd seen(space_.nodes_m.size(), 0);
@@ -91,7 +92,10 @@ namespace swimtwin
         if (scene_.domain->moves_with_swimmer)
           place_ = {0., Eigen::VectorXd::Zero(basis_.n_coordinates())};
         else
-          place_ = wandering_of_middle(sets, trajectory_points(sets, basis_, space_), swimmer_).usual;
+        {
+          auto points = trajectory_points(sets, basis_, space_);
+          place_      = wandering(sets, swimmer_, points).usual;
+        }
       }
 
       std::vector<RunParameters> members(const int n_held_out) const
@@ -110,10 +114,10 @@ namespace swimtwin
                              "output.snapshots_per_period=50", "output.fields_per_period=0"};
         const auto folder = run_full_order(scene_, {member}, options, MPI_COMM_SELF).front();
         const auto set    = read_snapshots(folder / "snapshots.h5");
-        shares.full    = *read_run_summary_json(folder / "summary.json").summary.net_displacement_m;
+        shares.full       = *read_run_summary_json(folder / "summary.json").summary.net_displacement_m;
         look_at_snapshots(set, member, shares);
         const ExactMotion motion(swimmer_, model_, basis_, place_);
-        using Source     = ResistanceSource;
+        using Source            = ResistanceSource;
         const auto displacement = [&](const Source source) {
           try
           {
@@ -127,8 +131,14 @@ namespace swimtwin
         };
         shares.surrogate = displacement(Source::surrogate);
         shares.modes     = displacement(Source::full_order_in_place);
-        shares.usual     = displacement(Source::full_order_in_usual_place);
-        shares.model     = predicted(member);
+        if (model_.resistance.depends_on_height || scene_.domain->moves_with_swimmer)
+          shares.height = shares.usual = shares.modes; // the model follows
+        else
+        {
+          shares.height = displacement(Source::full_order_at_usual_height);
+          shares.usual  = displacement(Source::full_order_in_usual_place);
+        }
+        shares.model = predicted(member);
         return shares;
       }
 
@@ -164,8 +174,8 @@ namespace swimtwin
       {
         const ExactMotion     motion(swimmer_, model_, basis_, place_);
         const Eigen::MatrixXd D = set.tail_displacement_m.transpose(), V = set.tail_velocity_m_s.transpose();
-        const Eigen::MatrixXd q = basis_.coordinates_of(space_, D);
-        double d2 = 0., e2 = 0., v2 = 0., w2 = 0., n = 0.;
+        const Eigen::MatrixXd q  = basis_.coordinates_of(space_, D);
+        double                d2 = 0., e2 = 0., v2 = 0., w2 = 0., n = 0.;
         for (Eigen::Index k = 1; k < D.cols(); ++k)
         {
           const Eigen::VectorXd shape = basis_.displacement(q.col(k));
@@ -176,9 +186,9 @@ namespace swimtwin
           shares.radius       = std::max(shares.radius, motion.reduced().resistance().shape_radius(q.col(k)));
           const auto &elastic = swimmer_.elasticity();
           if (k > D.cols() / 2)
-            shares.energy = std::max(shares.energy, scene_.tail->young_modulus_Pa *
-                                                        motion.reduced().energy().value(q.col(k)) /
-                                                        elastic.energy(nodal_field<2>(D.col(k))));
+            shares.energy =
+                std::max(shares.energy, scene_.tail->young_modulus_Pa * motion.reduced().energy().value(q.col(k)) /
+                                            elastic.energy(nodal_field<2>(D.col(k))));
           if (k % 7 == 3)
             add_resistance_errors(motion, set, k, q.col(k), member, shares), n += 1.;
         }
@@ -198,10 +208,11 @@ namespace swimtwin
         Eigen::VectorXd f  = Eigen::VectorXd::Zero(state.size());
         f[2] =
             p.magnetization_A_m * model_.magnet.head_area_m2 * (std::cos(state[2]) * by - std::sin(state[2]) * p.bx_T);
-        f.tail(q.size())             = -p.young_modulus_Pa * motion.reduced().energy().gradient(q);
-        using Source                 = ResistanceSource;
-        const Eigen::MatrixXd here   = motion.resistance(state, Source::full_order_in_place);
-        const Eigen::MatrixXd usual  = motion.resistance(state, Source::full_order_in_usual_place);
+        f.tail(q.size())           = -p.young_modulus_Pa * motion.reduced().energy().gradient(q);
+        using Source               = ResistanceSource;
+        const Eigen::MatrixXd here = motion.resistance(state, Source::full_order_in_place);
+        const Eigen::MatrixXd usual =
+            model_.resistance.depends_on_height ? here : motion.resistance(state, Source::full_order_in_usual_place);
         const Eigen::MatrixXd fitted = motion.resistance(state, Source::surrogate);
         const auto            off    = [&](const Eigen::MatrixXd &a, const Eigen::MatrixXd &b) {
           const Eigen::VectorXd va = a.llt().solve(f), d = b.llt().solve(f) - va;
@@ -224,13 +235,14 @@ namespace swimtwin
     void print(const RunParameters &p, const Shares &s)
     {
       const auto percent = [&](const double to, const double from) { return 100. * (to - from) / s.full; };
-      fmt::print("| {:.4g} | {:.4g} | {:.4g} | {:.4f} | {:+.2f} | {:+.2f} | {:+.2f} | {:+.2f} | {:+.2f} | {:.2f} | "
-                 "{:.2f} | {:.3f} | "
-                 "{:.2f} | {:.2f} | {:.2f} |\n",
-                 1e-3 * p.young_modulus_Pa, p.frequency_Hz, 1e-3 * p.magnetization_A_m, 1e3 * s.full,
-                 percent(s.model, s.full), percent(s.modes, s.full), percent(s.usual, s.modes),
-                 percent(s.surrogate, s.usual), percent(s.model, s.surrogate), 100. * s.displaced, 100. * s.velocity,
-                 s.energy, 100. * s.place, 100. * s.fit, s.radius);
+      fmt::print(
+          "| {:.4g} | {:.4g} | {:.4g} | {:.4f} | {:+.2f} | {:+.2f} | {:+.2f} | {:+.2f} | {:+.2f} | {:+.2f} | {:.2f} | "
+          "{:.2f} | {:.3f} | "
+          "{:.2f} | {:.2f} | {:.2f} |\n",
+          1e-3 * p.young_modulus_Pa, p.frequency_Hz, 1e-3 * p.magnetization_A_m, 1e3 * s.full, percent(s.model, s.full),
+          percent(s.modes, s.full), percent(s.height, s.modes), percent(s.usual, s.height),
+          percent(s.surrogate, s.usual), percent(s.model, s.surrogate), 100. * s.displaced, 100. * s.velocity, s.energy,
+          100. * s.place, 100. * s.fit, s.radius);
       std::fflush(stdout);
     }
 
@@ -258,7 +270,8 @@ namespace swimtwin
       const Scene scene = parse_scene(text_of_file(words[1]), words[1], {"fluid.inertia=none"});
       const int   n = words.size() > 4 ? std::stoi(words[4]) : 2, steps = words.size() > 5 ? std::stoi(words[5]) : 100;
       const Measurement measurement(scene, words[2], words[3], steps);
-      fmt::print("| E (kPa) | f (Hz) | M (kA/m) | full order (mm) | all (%) | modes (%) | place (%) | fit (%) | steps "
+      fmt::print("| E (kPa) | f (Hz) | M (kA/m) | full order (mm) | all (%) | modes (%) | height (%) | way (%) | fit "
+                 "(%) | steps "
                  "(%) | shapes left "
                  "(%) | rates left (%) | energy ratio | velocities: place (%) | fit (%) | radius |\n");
       int index = 0;

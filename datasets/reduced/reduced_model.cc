@@ -91,8 +91,10 @@ namespace swimtwin
       std::vector<int>       coordinates(static_cast<std::size_t>(k));
       for (int i = 0; i < k; ++i)
         coordinates[static_cast<std::size_t>(i)] = i;
-      if (all.depends_on_angle)
-        coordinates.push_back(r);
+      for (int i = 0; i < all.n_pose_coordinates(); ++i)
+        coordinates.push_back(r + i);
+      if (all.depends_on_height)
+        some.usual_by_coordinate = all.usual_by_coordinate.head(k);
       some.factor_at_rest     = all.factor_at_rest.topLeftCorner(n, n);
       some.coordinate_scale_m = all.coordinate_scale_m.head(k);
       some.exponents          = all.exponents(kept, coordinates);

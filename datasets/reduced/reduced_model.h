@@ -93,15 +93,26 @@ namespace swimtwin
   ///
   /// with polynomials p in z = (q_1 / scale_1, ..., q_r / scale_r [, angle / angle_scale]). It is positive definite for
   /// every z. Outside the trained region |z_q| <= 1 (and |angle| <= angle_scale) the polynomials are evaluated at the
-  /// point that `saturated` pulls back to it. All factors keep their leading blocks when the last modes are left out.
+  /// point that `saturated` pulls back to it.
+  ///
+  /// Between walls the height matters as well: the last coordinate is then (y - a sin(angle) - b . q) / height_scale,
+  /// how far the head's centre is above where it usually is at this angle and shape. All factors keep their leading
+  /// blocks when the last modes are left out.
   struct ReducedResistance
   {
     Eigen::MatrixXd factor_at_rest;     ///< L_0, n x n, lower triangular
     Eigen::VectorXd coordinate_scale_m; ///< r
     bool            depends_on_angle = false;
     double          angle_scale_rad  = 1.;
-    Eigen::MatrixXi exponents;    ///< n_features x (r, or r + 1 with the angle last)
+    Eigen::MatrixXi exponents;    ///< n_features x (r, then the angle, then the height, if it depends on them)
     Eigen::MatrixXd coefficients; ///< n_features x n (n + 1) / 2; entry (i, j), j <= i, is column i (i + 1) / 2 + j
+
+    bool            depends_on_height   = false;
+    double          height_scale_m      = 1.;
+    double          usual_by_sine_m     = 0.; ///< a
+    Eigen::VectorXd usual_by_coordinate = {}; ///< b, r; empty without the height
+
+    int n_pose_coordinates() const { return depends_on_angle + depends_on_height; }
   };
 
   /// Where radius rho >= 0 is evaluated: rho itself up to 1, then smoothly (twice differentiable) towards 1.1.

@@ -103,6 +103,18 @@ namespace swimtwin
           {"1", "one monomial per row; column i (i + 1) / 2 + j is entry (i, j) of C, log on the diagonal"});
       writer.write_attribute("/resistance", "depends_on_angle", resistance.depends_on_angle ? 1. : 0.);
       writer.write_attribute("/resistance", "angle_scale_rad", resistance.angle_scale_rad);
+      if (!resistance.depends_on_height)
+        return;
+      writer.write_vector("/resistance/usual_by_coordinate", resistance.usual_by_coordinate,
+                          {"1", "usual height of the head's centre per coordinate, beside that per sine of its angle"});
+      writer.write_attribute("/resistance", "usual_by_sine_m", resistance.usual_by_sine_m);
+      writer.write_attribute("/resistance", "height_scale_m", resistance.height_scale_m);
+    }
+
+    /// The oldest one that has what the model has.
+    int format_version_of(const ReducedModel &model)
+    {
+      return model.tail.amplitudes.are_given() || model.resistance.depends_on_height ? ReducedModel::format_version : 1;
     }
 
     void require_format(const Hdf5Reader &reader, const std::filesystem::path &file)
@@ -184,12 +196,19 @@ namespace swimtwin
 
     ReducedResistance read_resistance(const Hdf5Reader &reader)
     {
-      return {reader.read_matrix("/resistance/factor_at_rest"),
-              read_column(reader, "/resistance/coordinate_scale_m"),
-              reader.read_number_attribute("/resistance", "depends_on_angle") != 0.,
-              reader.read_number_attribute("/resistance", "angle_scale_rad"),
-              reader.read_int_matrix("/resistance/exponents"),
-              reader.read_matrix("/resistance/coefficients")};
+      ReducedResistance resistance{reader.read_matrix("/resistance/factor_at_rest"),
+                                   read_column(reader, "/resistance/coordinate_scale_m"),
+                                   reader.read_number_attribute("/resistance", "depends_on_angle") != 0.,
+                                   reader.read_number_attribute("/resistance", "angle_scale_rad"),
+                                   reader.read_int_matrix("/resistance/exponents"),
+                                   reader.read_matrix("/resistance/coefficients")};
+      resistance.depends_on_height = reader.contains("/resistance/usual_by_coordinate");
+      if (!resistance.depends_on_height)
+        return resistance;
+      resistance.usual_by_coordinate = read_column(reader, "/resistance/usual_by_coordinate");
+      resistance.usual_by_sine_m     = reader.read_number_attribute("/resistance", "usual_by_sine_m");
+      resistance.height_scale_m      = reader.read_number_attribute("/resistance", "height_scale_m");
+      return resistance;
     }
 
     TrainedRange read_range(const Hdf5Reader &reader)
@@ -210,7 +229,7 @@ namespace swimtwin
       throw ComputationError(fmt::format("cannot write {}: {} {}", file.string(), problem.path, problem.sentence));
     Hdf5Writer writer;
     writer.write_attribute("/", "format", format_name);
-    writer.write_attribute("/", "format_version", model.tail.amplitudes.are_given() ? ReducedModel::format_version : 1);
+    writer.write_attribute("/", "format_version", format_version_of(model));
     write_provenance(writer, provenance);
     writer.write_text("/scene/name", model.scene_name, {"1", "name of the scene that the model was trained on"});
     writer.write_text("/scene/text", model.scene_text, {"1", "that scene (TOML): nominal parameters, field, time"});

@@ -117,7 +117,7 @@ namespace swimtwin
 
     void check(Rules &rules, const ReducedResistance &resistance, const int r)
     {
-      const int n = r + 3, n_coordinates = r + (resistance.depends_on_angle ? 1 : 0);
+      const int n = r + 3, n_coordinates = r + resistance.n_pose_coordinates();
       rules.require_size("/resistance/factor_at_rest", resistance.factor_at_rest, n, n);
       if (rules.ok())
         rules.require("/resistance/factor_at_rest",
@@ -129,6 +129,11 @@ namespace swimtwin
                     "holds a number that is not positive.");
       rules.require("/resistance", std::isfinite(resistance.angle_scale_rad) && resistance.angle_scale_rad > 0.,
                     fmt::format("has angle_scale_rad = {}; it must be positive.", resistance.angle_scale_rad));
+      rules.require("/resistance", std::isfinite(resistance.height_scale_m) && resistance.height_scale_m > 0.,
+                    fmt::format("has height_scale_m = {}; it must be positive.", resistance.height_scale_m));
+      rules.require_finite("/resistance", resistance.usual_by_sine_m, "usual_by_sine_m");
+      if (resistance.depends_on_height)
+        rules.require_size("/resistance/usual_by_coordinate", resistance.usual_by_coordinate, r, 1);
       rules.require_size("/resistance/exponents", resistance.exponents, resistance.exponents.rows(), n_coordinates);
       rules.require("/resistance/exponents", (resistance.exponents.array() >= 0).all(), "holds a negative exponent.");
       rules.require_size("/resistance/coefficients", resistance.coefficients, resistance.exponents.rows(),

@@ -135,7 +135,9 @@ namespace swimtwin
         const auto                 state      = integrator_.state();
         run_.largest_shape_radius =
             std::max(run_.largest_shape_radius, resistance.shape_radius(state.tail(swimmer.n_modes())));
-        run_.largest_angle_radius = std::max(run_.largest_angle_radius, resistance.angle_radius(state[2]));
+        run_.largest_angle_radius  = std::max(run_.largest_angle_radius, resistance.angle_radius(state[2]));
+        run_.largest_height_radius = std::max(
+            run_.largest_height_radius, resistance.height_radius(state.tail(swimmer.n_modes()), state[2], state[1]));
       }
 
       void count()

@@ -50,8 +50,9 @@ namespace swimtwin
     std::vector<ReducedSnapshot> snapshots;                ///< of every row of the trajectory
     std::vector<Eigen::MatrixXd> sensitivity_at_snapshots; ///< as at the periods' ends
 
-    double largest_shape_radius = 0., largest_angle_radius = 0.; ///< above 1: outside the trained region
-    long   n_steps = 0, n_rate_evaluations = 0, n_jacobians = 0;
+    double largest_shape_radius = 0., largest_angle_radius = 0.,
+           largest_height_radius = 0.; ///< above 1: outside the trained region
+    long n_steps = 0, n_rate_evaluations = 0, n_jacobians = 0;
 
     bool completed() const { return status == RunStatus::completed; }
   };

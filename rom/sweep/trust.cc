@@ -31,6 +31,9 @@ namespace swimtwin
           fmt::format("shape at {:.3g} times the trained region's radius", run.largest_shape_radius));
     if (run.largest_angle_radius > 1.)
       notes.outside_region.push_back(fmt::format("angle at {:.3g} times the trained one", run.largest_angle_radius));
+    if (run.largest_height_radius > 1.)
+      notes.outside_region.push_back(
+          fmt::format("height between the walls at {:.3g} times the trained one", run.largest_height_radius));
     return notes;
   }
 

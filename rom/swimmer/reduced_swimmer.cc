@@ -162,7 +162,7 @@ namespace swimtwin
                                 const SwimmerParameters &parameters, SwimmerMotion &motion) const
   {
     double pressure = 0.;
-    resistance_.evaluate(state.tail(r_), state[2], motion.resistance);
+    resistance_.evaluate(state.tail(r_), state[2], state[1], motion.resistance);
     set_velocity(state, force(state, field_T, parameters), parameters.viscosity_Pa_s, motion, pressure);
   }
 
@@ -184,7 +184,7 @@ namespace swimtwin
                                                 const double torque_N, const double viscosity_Pa_s,
                                                 ResistanceFactor &resistance) const
   {
-    resistance_.evaluate(state.tail(r_), state[2], resistance);
+    resistance_.evaluate(state.tail(r_), state[2], state[1], resistance);
     const VelocityMatrix  L        = resistance_.factor_at_rest() * resistance.factor;
     const Eigen::Matrix3d rigid    = L.topRows<3>() * L.topRows<3>().transpose();
     const Eigen::Vector3d by_shape = L.topRows<3>() * (L.bottomRows(r_).transpose() * shape_rate);

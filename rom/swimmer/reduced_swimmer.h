@@ -25,7 +25,7 @@ namespace swimtwin
   struct RateDerivatives
   {
     VelocityVector  rate;     ///< itself
-    Eigen::MatrixXd by_state; ///< (r + 3) x (r + 3), zero columns for x and y
+    Eigen::MatrixXd by_state; ///< (r + 3) x (r + 3), a zero column for x
     Eigen::MatrixXd by_field; ///< (r + 3) x 2, per T in the laboratory
     VelocityVector  by_young_modulus, by_viscosity, by_magnetization, by_tail_magnetization;
 

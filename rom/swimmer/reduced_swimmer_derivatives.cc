@@ -15,6 +15,7 @@ namespace swimtwin
       by_young_modulus,
       by_magnetization,
       by_tail_magnetization,
+      by_height,
       by_field_x,
       by_field_y,
       n_force_columns
@@ -69,7 +70,7 @@ namespace swimtwin
     const auto          &at  = motion.resistance;
     const VelocityVector eta = L0.transpose() * motion.velocity, w = at.factor.transpose() * eta;
     const int            m = resistance_.n_coordinates();
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, max_velocities, max_modes + 1> change(
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, max_velocities, max_modes + 2> change(
         n_states(), m);
     for (int k = 0; k < m; ++k)
     {
@@ -80,8 +81,8 @@ namespace swimtwin
     }
     change = (viscosity * (L0 * (change * at.coordinate_slopes))).eval();
     columns.middleCols(1, r_) -= change.leftCols(r_);
-    if (resistance_.depends_on_angle())
-      columns.col(0) -= change.col(r_);
+    columns.col(0) -= change.col(r_);
+    columns.rightCols<n_force_columns>().col(by_height) -= change.col(r_ + 1);
   }
 
   /// Of velocities: the area's rate stays zero as state and parameters change.
@@ -102,7 +103,7 @@ namespace swimtwin
   {
     const double viscosity = parameters.viscosity_Pa_s;
     double       pressure  = 0.;
-    resistance_.differentiate(state.tail(r_), state[2], motion.resistance);
+    resistance_.differentiate(state.tail(r_), state[2], state[1], motion.resistance);
     set_velocity(state, force(state, field_T, parameters), viscosity, motion, pressure);
 
     Eigen::MatrixXd &columns = derivatives.columns;
@@ -120,6 +121,7 @@ namespace swimtwin
     derivatives.by_state(0, 2) -= motion.rate[1]; // the frame itself turns
     derivatives.by_state(1, 2) += motion.rate[0];
     const auto further                = columns.rightCols<n_force_columns>();
+    derivatives.by_state.col(1)       = further.col(by_height);
     derivatives.by_young_modulus      = further.col(by_young_modulus);
     derivatives.by_magnetization      = further.col(by_magnetization);
     derivatives.by_tail_magnetization = further.col(by_tail_magnetization);

@@ -6,13 +6,11 @@ namespace swimtwin
 {
   namespace
   {
-    /// Of the polynomials' coordinates: the modes', and -1 for the angle.
+    /// Of the polynomials' coordinates: the modes', and -1 for angle and height.
     Eigen::VectorXi coordinate_parity(const ReducedResistance &resistance, const Eigen::VectorXi &mode_parity)
     {
-      Eigen::VectorXi parity(mode_parity.size() + (resistance.depends_on_angle ? 1 : 0));
-      parity.head(mode_parity.size()) = mode_parity;
-      if (resistance.depends_on_angle)
-        parity[mode_parity.size()] = -1;
+      Eigen::VectorXi parity(mode_parity.size() + resistance.n_pose_coordinates());
+      parity << mode_parity, Eigen::VectorXi::Constant(resistance.n_pose_coordinates(), -1);
       return parity;
     }
 
@@ -62,6 +60,10 @@ namespace swimtwin
   ResistanceSurrogate::ResistanceSurrogate(const ReducedResistance &resistance, const Eigen::VectorXi &parity)
       : factor_at_rest_(resistance.factor_at_rest), coordinate_scale_m_(resistance.coordinate_scale_m),
         depends_on_angle_(resistance.depends_on_angle), angle_scale_rad_(resistance.angle_scale_rad),
+        depends_on_height_(resistance.depends_on_height), height_scale_m_(resistance.height_scale_m),
+        usual_by_sine_m_(resistance.usual_by_sine_m),
+        usual_by_coordinate_(resistance.depends_on_height ? ShapeVector(resistance.usual_by_coordinate)
+                                                          : ShapeVector(ShapeVector::Zero(parity.size()))),
         monomials_(resistance.exponents, coordinate_parity(resistance, parity))
   {
     const Eigen::MatrixXd by_position = coefficients_by_position(resistance, monomials_);
@@ -97,25 +99,27 @@ namespace swimtwin
     ResistanceFactor result;
     result.factor             = VelocityMatrix::Zero(n, n);
     result.factor_derivatives = std::vector<VelocityMatrix>(static_cast<std::size_t>(m), VelocityMatrix::Zero(n, n));
-    result.coordinate_slopes  = Eigen::MatrixXd::Zero(m, m);
+    result.coordinate_slopes  = Eigen::MatrixXd::Zero(m, n - 3 + 2);
     result.coordinates        = Eigen::VectorXd::Zero(m);
     result.monomials          = Eigen::MatrixXd::Zero(monomials_.size(), 1 + m);
     result.polynomials        = Eigen::MatrixXd::Zero(n_rows_, 1 + m);
     return result;
   }
 
-  void ResistanceSurrogate::evaluate(const ShapeVector &q, const double angle_rad, ResistanceFactor &result) const
+  void ResistanceSurrogate::evaluate(const ShapeVector &q, const double angle_rad, const double height_m,
+                                     ResistanceFactor &result) const
   {
-    set_coordinates(q, angle_rad, result);
+    set_coordinates(q, angle_rad, height_m, result);
     monomials_.evaluate(result.coordinates, result.monomials);
     evaluate_polynomials(1, result);
     set_factor(result);
   }
 
-  void ResistanceSurrogate::differentiate(const ShapeVector &q, const double angle_rad, ResistanceFactor &result) const
+  void ResistanceSurrogate::differentiate(const ShapeVector &q, const double angle_rad, const double height_m,
+                                          ResistanceFactor &result) const
   {
-    set_coordinates(q, angle_rad, result);
-    set_coordinate_slopes(q, angle_rad, result);
+    set_coordinates(q, angle_rad, height_m, result);
+    set_coordinate_slopes(q, angle_rad, height_m, result);
     monomials_.evaluate_with_gradient(result.coordinates, result.monomials);
     evaluate_polynomials(1 + n_coordinates(), result);
     set_factor(result);
@@ -132,16 +136,29 @@ namespace swimtwin
     return depends_on_angle_ ? std::abs(angle_rad) / angle_scale_rad_ : 0.;
   }
 
-  void ResistanceSurrogate::set_coordinates(const ShapeVector &q, const double angle_rad,
+  double ResistanceSurrogate::usual_height_m(const ShapeVector &q, const double angle_rad) const
+  {
+    return usual_by_sine_m_ * std::sin(angle_rad) + usual_by_coordinate_.dot(q);
+  }
+
+  double ResistanceSurrogate::height_radius(const ShapeVector &q, const double angle_rad, const double height_m) const
+  {
+    return depends_on_height_ ? std::abs(height_m - usual_height_m(q, angle_rad)) / height_scale_m_ : 0.;
+  }
+
+  void ResistanceSurrogate::set_coordinates(const ShapeVector &q, const double angle_rad, const double height_m,
                                             ResistanceFactor &result) const
   {
     const double radius = shape_radius(q), shrink = radius > 1. ? saturated(radius) / radius : 1.;
     result.coordinates.head(q.size()) = shrink * q.cwiseQuotient(coordinate_scale_m_);
     if (depends_on_angle_)
       result.coordinates[q.size()] = std::copysign(saturated(angle_radius(angle_rad)), angle_rad);
+    if (depends_on_height_)
+      result.coordinates[n_coordinates() - 1] =
+          std::copysign(saturated(height_radius(q, angle_rad, height_m)), height_m - usual_height_m(q, angle_rad));
   }
 
-  void ResistanceSurrogate::set_coordinate_slopes(const ShapeVector &q, const double angle_rad,
+  void ResistanceSurrogate::set_coordinate_slopes(const ShapeVector &q, const double angle_rad, const double height_m,
                                                   ResistanceFactor &result) const
   {
     const Eigen::Index r      = q.size();
@@ -154,6 +171,13 @@ namespace swimtwin
     slopes = (slopes * coordinate_scale_m_.cwiseInverse().asDiagonal()).eval();
     if (depends_on_angle_)
       result.coordinate_slopes(r, r) = saturated_slope(angle_radius(angle_rad)) / angle_scale_rad_;
+    if (!depends_on_height_)
+      return;
+    const double slope = saturated_slope(height_radius(q, angle_rad, height_m)) / height_scale_m_;
+    auto         row   = result.coordinate_slopes.row(n_coordinates() - 1);
+    row.head(r)        = -slope * usual_by_coordinate_.transpose();
+    row[r]             = -slope * usual_by_sine_m_ * std::cos(angle_rad);
+    row[r + 1]         = slope;
   }
 
   void ResistanceSurrogate::evaluate_polynomials(const int n_columns, ResistanceFactor &result) const
@@ -189,11 +213,17 @@ namespace swimtwin
         }
   }
 
-  VelocityMatrix ResistanceSurrogate::resistance(const ShapeVector &q, const double angle_rad) const
+  VelocityMatrix ResistanceSurrogate::resistance(const ShapeVector &q, const double angle_rad,
+                                                 const double height_m) const
   {
     ResistanceFactor at = make_factor();
-    evaluate(q, angle_rad, at);
+    evaluate(q, angle_rad, height_m, at);
     const VelocityMatrix L = factor_at_rest_ * at.factor;
     return L * L.transpose();
+  }
+
+  VelocityMatrix ResistanceSurrogate::resistance(const ShapeVector &q, const double angle_rad) const
+  {
+    return resistance(q, angle_rad, usual_height_m(q, angle_rad));
   }
 } // namespace swimtwin

@@ -15,7 +15,7 @@ namespace swimtwin
   {
     VelocityMatrix              factor;             ///< C, lower triangular
     std::vector<VelocityMatrix> factor_derivatives; ///< by the saturated coordinates
-    Eigen::MatrixXd             coordinate_slopes;  ///< of the saturated coordinates by (q_1 .. q_r [, angle])
+    Eigen::MatrixXd             coordinate_slopes;  ///< of the saturated coordinates by (q_1 .. q_r, angle, height)
 
     Eigen::VectorXd coordinates;            ///< saturated
     Eigen::MatrixXd monomials, polynomials; ///< values, then derivatives, as columns
@@ -28,23 +28,28 @@ namespace swimtwin
     ResistanceSurrogate(const ReducedResistance &resistance, const Eigen::VectorXi &parity);
 
     int n_velocities() const { return static_cast<int>(factor_at_rest_.rows()); }
-    /// r, and one more if it depends on the angle.
+    /// r, one more if it depends on the angle, and one more if it depends on the height.
     int  n_coordinates() const { return monomials_.n_coordinates(); }
     bool depends_on_angle() const { return depends_on_angle_; }
+    bool depends_on_height() const { return depends_on_height_; }
 
     ResistanceFactor make_factor() const;
-    /// Only `factor`.
-    void evaluate(const ShapeVector &q, double angle_rad, ResistanceFactor &result) const;
+    /// Only `factor`. Height of the head's centre, from where it was at rest.
+    void evaluate(const ShapeVector &q, double angle_rad, double height_m, ResistanceFactor &result) const;
     /// Derivatives too.
-    void differentiate(const ShapeVector &q, double angle_rad, ResistanceFactor &result) const;
+    void differentiate(const ShapeVector &q, double angle_rad, double height_m, ResistanceFactor &result) const;
 
     const VelocityMatrix &factor_at_rest() const { return factor_at_rest_; }
     /// R itself (Pa s per Pa s of viscosity, ...), n x n.
+    VelocityMatrix resistance(const ShapeVector &q, double angle_rad, double height_m) const;
+    /// The same at the usual height.
     VelocityMatrix resistance(const ShapeVector &q, double angle_rad) const;
 
     /// |z_q|, at most 1 where the model was trained, and |angle| / angle_scale (0 if R does not depend on it).
     double shape_radius(const ShapeVector &q) const;
     double angle_radius(double angle_rad) const;
+    /// |height above the usual one| / height_scale (0 if R does not depend on it).
+    double height_radius(const ShapeVector &q, double angle_rad, double height_m) const;
 
   private:
     /// Polynomials of some entries of C: coefficients (entries x monomials) for monomials first .. first + n - 1.
@@ -55,18 +60,22 @@ namespace swimtwin
       Eigen::MatrixXd                  coefficients;
     };
 
-    void add_block(const Eigen::MatrixXd &by_position, const std::vector<std::pair<int, int>> &entries, int first,
-                   int n);
-    void set_coordinates(const ShapeVector &q, double angle_rad, ResistanceFactor &result) const;
-    void set_coordinate_slopes(const ShapeVector &q, double angle_rad, ResistanceFactor &result) const;
+    void   add_block(const Eigen::MatrixXd &by_position, const std::vector<std::pair<int, int>> &entries, int first,
+                     int n);
+    double usual_height_m(const ShapeVector &q, double angle_rad) const;
+    void   set_coordinates(const ShapeVector &q, double angle_rad, double height_m, ResistanceFactor &result) const;
+    void set_coordinate_slopes(const ShapeVector &q, double angle_rad, double height_m, ResistanceFactor &result) const;
     void evaluate_polynomials(int n_columns, ResistanceFactor &result) const;
     void set_factor(ResistanceFactor &result) const;
     void set_factor_derivatives(ResistanceFactor &result) const;
 
     VelocityMatrix     factor_at_rest_;
     ShapeVector        coordinate_scale_m_;
-    bool               depends_on_angle_ = false;
-    double             angle_scale_rad_  = 1.;
+    bool               depends_on_angle_  = false;
+    double             angle_scale_rad_   = 1.;
+    bool               depends_on_height_ = false;
+    double             height_scale_m_ = 1., usual_by_sine_m_ = 0.;
+    ShapeVector        usual_by_coordinate_;
     MonomialTable      monomials_;
     std::vector<Block> blocks_;
     int                n_rows_ = 0;

@@ -53,6 +53,11 @@ namespace swimtwin
         points.back().shape.q = snapshot.state.tail(model.n_modes());
         if (model.resistance.depends_on_angle)
           points.back().shape.angle_rad = snapshot.state[2];
+        if (model.resistance.depends_on_height)
+          points.back().shape.drift_y_m =
+              snapshot.state[1] -
+              UsualPlace{model.resistance.usual_by_sine_m, model.resistance.usual_by_coordinate}.height_m(
+                  {points.back().shape.q, snapshot.state[2]});
         points.back().velocity.head<2>() =
             Eigen::Rotation2Dd(-snapshot.state[2]) * Eigen::Vector2d(snapshot.rate.head<2>());
       }

@@ -25,17 +25,17 @@ namespace swimtwin
     };
     for (const auto &shape : shapes)
     {
-      ShapePoint straight = rest;
-      straight.q          = shape.q;
-      ShapePoint turned   = straight;
-      turned.angle_rad    = region.angle_scale_rad;
-      dependence.on_angle = std::max(dependence.on_angle, change(straight, turned));
-      for (int c = 0; c < 2; ++c)
-      {
-        ShapePoint moved                             = straight;
-        (c == 0 ? moved.drift_x_m : moved.drift_y_m) = reach_m[c];
-        dependence.on_position                       = std::max(dependence.on_position, change(straight, moved));
-      }
+      ShapePoint straight  = rest;
+      straight.q           = shape.q;
+      ShapePoint turned    = straight;
+      turned.angle_rad     = region.angle_scale_rad;
+      dependence.on_angle  = std::max(dependence.on_angle, change(straight, turned));
+      ShapePoint along     = straight;
+      along.drift_x_m      = -reach_m[0]; // head first
+      dependence.on_way    = std::max(dependence.on_way, change(straight, along));
+      ShapePoint above     = straight;
+      above.drift_y_m      = reach_m[1];
+      dependence.on_height = std::max(dependence.on_height, change(straight, above));
     }
     return dependence;
   }

@@ -15,7 +15,9 @@ namespace swimtwin
     Eigen::VectorXd z(n_variables());
     z.head(point.q.size()) = point.q.cwiseQuotient(coordinate_scale_m);
     if (depends_on_angle)
-      z(z.size() - 1) = point.angle_rad / angle_scale_rad;
+      z(point.q.size()) = point.angle_rad / angle_scale_rad;
+    if (depends_on_height)
+      z(z.size() - 1) = point.drift_y_m / height_scale_m;
     return z;
   }
 
@@ -144,7 +146,7 @@ namespace swimtwin
   } // namespace
 
   ResistanceFit::ResistanceFit(const std::vector<ResistanceSample> &samples, const SampledRegion &region,
-                               const Eigen::VectorXd &effects)
+                               const Eigen::VectorXd &effects, const UsualPlace &usual)
       : region_(region)
   {
     const Eigen::Index n       = samples.front().resistance.rows();
@@ -168,7 +170,14 @@ namespace swimtwin
     resistance_.coordinate_scale_m = region.coordinate_scale_m;
     resistance_.depends_on_angle   = region.depends_on_angle;
     resistance_.angle_scale_rad    = region.angle_scale_rad;
-    resistance_.coefficients       = fit_coefficients(resistance_.exponents, table);
+    resistance_.depends_on_height  = region.depends_on_height;
+    resistance_.height_scale_m     = region.height_scale_m;
+    if (region.depends_on_height)
+    {
+      resistance_.usual_by_sine_m     = usual.by_sine_m;
+      resistance_.usual_by_coordinate = usual.by_coordinate;
+    }
+    resistance_.coefficients = fit_coefficients(resistance_.exponents, table);
   }
 
   void ResistanceFit::choose_features(const std::vector<Eigen::MatrixXi> &sets, const SampleTable &table)

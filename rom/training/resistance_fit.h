@@ -8,15 +8,21 @@
 
 namespace swimtwin
 {
-  /// The region of shapes and poses that is sampled: |q / scale| <= 1 and |angle| <= angle_scale.
+  /// The region of shapes and poses that is sampled: |q / scale| <= 1, |angle| <= angle_scale, and height above the
+  /// usual one |drift_y| <= height_scale.
   struct SampledRegion
   {
     Eigen::VectorXd coordinate_scale_m;
-    bool            depends_on_angle = false;
-    double          angle_scale_rad  = 1.;
+    bool            depends_on_angle  = false;
+    double          angle_scale_rad   = 1.;
+    bool            depends_on_height = false;
+    double          height_scale_m    = 1.;
 
-    int             n_variables() const { return static_cast<int>(coordinate_scale_m.size()) + depends_on_angle; }
-    Eigen::VectorXd variables(const ShapePoint &point) const; ///< z, then the scaled angle if it matters
+    int n_variables() const
+    {
+      return static_cast<int>(coordinate_scale_m.size()) + depends_on_angle + depends_on_height;
+    }
+    Eigen::VectorXd variables(const ShapePoint &point) const; ///< z, then scaled angle and height if they matter
   };
 
   struct FitQuality
@@ -44,7 +50,7 @@ namespace swimtwin
   {
   public:
     ResistanceFit(const std::vector<ResistanceSample> &samples, const SampledRegion &region,
-                  const Eigen::VectorXd &effects);
+                  const Eigen::VectorXd &effects, const UsualPlace &usual = {});
 
     const ReducedResistance &resistance() const { return resistance_; }
     /// By five-fold cross-validation.

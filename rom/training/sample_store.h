@@ -13,13 +13,13 @@ namespace swimtwin
   struct ShapePoint
   {
     Eigen::VectorXd q;
-    double          angle_rad = 0.;                 ///< of the head
-    double          drift_x_m = 0., drift_y_m = 0.; ///< of the body's middle from its usual place
+    double          angle_rad = 0.; ///< of the head
+    double          drift_x_m = 0.; ///< of the body's middle along x
+    double          drift_y_m = 0.; ///< of the head's centre above its usual height
   };
 
-  /// Where the body's middle, the mean of its surface, usually is in a domain that stays: a swing of the head and a
-  /// bend of the tail push it sideways, always the same way. Between walls that counts: with the middle held in its
-  /// place the reference swimmer's displacement is 4 % off, with the head held 12 %.
+  /// How high the head's centre usually is in a domain that stays: a swing of the head and a bend of the tail push it
+  /// sideways, always the same way. What is above that is a variable of its own between walls that are felt.
   struct UsualPlace
   {
     double          by_sine_m = 0.; ///< height per sine of the head's angle

@@ -25,48 +25,51 @@ namespace swimtwin
 
   namespace
   {
-    /// The middle's way since the start, one column per snapshot of all sets.
-    Eigen::Matrix2Xd ways_of_middle(const std::vector<SnapshotSet> &sets, const Swimmer<2> &swimmer)
+    /// How far the middle went along x since the start.
+    double reach_along_x(const std::vector<SnapshotSet> &sets, const Swimmer<2> &swimmer)
     {
-      std::vector<dealii::Tensor<1, 2>> ways;
+      double reach = 0.;
       for (const auto &set : sets)
       {
         const auto middle = [&](const Eigen::Index k) {
           RigidPose<2> pose;
           pose.center = dealii::Point<2>(set.pose(k, 0), set.pose(k, 1));
           pose.angle  = set.pose(k, 2);
-          return pose.to_laboratory(swimmer.arm_to_middle(nodal_field<2>(set.tail_displacement_m.row(k).transpose())));
+          return pose.to_laboratory(
+              swimmer.arm_to_middle(nodal_field<2>(set.tail_displacement_m.row(k).transpose())))[0];
         };
         for (Eigen::Index k = 0; k < set.pose.rows(); ++k)
-          ways.push_back(middle(k) - middle(0));
+          reach = std::max(reach, std::abs(middle(k) - middle(0)));
       }
-      Eigen::Matrix2Xd result(2, ways.size());
-      for (std::size_t k = 0; k < ways.size(); ++k)
-        result.col(k) << ways[k][0], ways[k][1];
-      return result;
+      return reach;
     }
   } // namespace
 
-  Wandering wandering_of_middle(const std::vector<SnapshotSet> &sets, const std::vector<ShapePoint> &points,
-                                const Swimmer<2> &swimmer)
+  Wandering wandering(const std::vector<SnapshotSet> &sets, const Swimmer<2> &swimmer, std::vector<ShapePoint> &points)
   {
     // Heights that the snapshots do not tell stay at zero: their damping is a ten-thousandth of what they tell best.
-    constexpr double       damping = 1e-4;
-    const Eigen::Matrix2Xd ways    = ways_of_middle(sets, swimmer);
-    const Eigen::Index     m = ways.cols(), r = points.front().q.size();
-    Eigen::MatrixXd        A       = Eigen::MatrixXd::Zero(m + r + 1, r + 1);
-    Eigen::VectorXd        heights = Eigen::VectorXd::Zero(m + r + 1);
-    const double           length  = swimmer.scene().body_length_m();
-    for (Eigen::Index k = 0; k < m; ++k)
-      A.row(k) << std::sin(points[k].angle_rad), points[k].q.transpose() / length;
-    heights.head(m)             = ways.row(1).transpose();
+    constexpr double   damping = 1e-4;
+    const auto         m       = static_cast<Eigen::Index>(points.size());
+    const Eigen::Index r       = points.front().q.size();
+    const double       length = swimmer.scene().body_length_m(), rest_m = swimmer.pose_at_rest().center[1];
+    Eigen::VectorXd    heights = Eigen::VectorXd::Zero(m + r + 1);
+    Eigen::MatrixXd    A       = Eigen::MatrixXd::Zero(m + r + 1, r + 1);
+    Eigen::Index       row     = 0;
+    for (const auto &set : sets)
+      for (Eigen::Index k = 0; k < set.pose.rows(); ++k, ++row)
+      {
+        A.row(row) << std::sin(points[row].angle_rad), points[row].q.transpose() / length;
+        heights(row) = set.pose(k, 1) - rest_m;
+      }
     A.bottomRows(r + 1)         = damping * A.topRows(m).norm() * Eigen::MatrixXd::Identity(r + 1, r + 1);
     const Eigen::VectorXd found = solve_by_qr(A, heights);
 
-    Wandering result{{found(0), found.tail(r) / length}, Eigen::Vector2d::Zero()};
+    Wandering result{{found(0), found.tail(r) / length}, {reach_along_x(sets, swimmer), 0.}};
     for (Eigen::Index k = 0; k < m; ++k)
-      result.reach_m = result.reach_m.cwiseMax(
-          Eigen::Vector2d(std::abs(ways(0, k)), std::abs(ways(1, k) - result.usual.height_m(points[k]))));
+    {
+      points[k].drift_y_m = heights(k) - result.usual.height_m(points[k]);
+      result.reach_m[1]   = std::max(result.reach_m[1], std::abs(points[k].drift_y_m));
+    }
     return result;
   }
 
@@ -76,10 +79,12 @@ namespace swimtwin
     SampledRegion    region;
     region.coordinate_scale_m = Eigen::VectorXd::Zero(points.front().q.size());
     region.angle_scale_rad    = 0.;
+    region.height_scale_m     = 0.;
     for (const auto &point : points)
     {
       region.coordinate_scale_m = region.coordinate_scale_m.cwiseMax(point.q.cwiseAbs());
       region.angle_scale_rad    = std::max(region.angle_scale_rad, margin * std::abs(point.angle_rad));
+      region.height_scale_m     = std::max(region.height_scale_m, margin * std::abs(point.drift_y_m));
     }
     region.coordinate_scale_m =
         region.coordinate_scale_m.cwiseMax(smallest_share * region.coordinate_scale_m.maxCoeff()).eval();
@@ -102,6 +107,11 @@ namespace swimtwin
     {
       points.push_back(rest);
       points.back().angle_rad = region.angle_scale_rad;
+    }
+    if (region.depends_on_height)
+    {
+      points.push_back(rest);
+      points.back().drift_y_m = region.height_scale_m;
     }
     return points;
   }
@@ -133,6 +143,8 @@ namespace swimtwin
       points.back().q = z.cwiseProduct(region.coordinate_scale_m);
       if (region.depends_on_angle)
         points.back().angle_rad = region.angle_scale_rad * (2. * halton(k, primes[r % primes.size()]) - 1.);
+      if (region.depends_on_height)
+        points.back().drift_y_m = region.height_scale_m * (2. * halton(k, primes[(r + 1) % primes.size()]) - 1.);
     }
     return points;
   }

@@ -12,12 +12,12 @@ namespace swimtwin
   struct Wandering
   {
     UsualPlace      usual;
-    Eigen::Vector2d reach_m; ///< how far from it the middle went, along x and y
+    Eigen::Vector2d reach_m; ///< how far the middle went along x, and the head's height from the usual one
   };
 
-  /// From runs, whose points are those of the snapshots in the same order.
-  Wandering wandering_of_middle(const std::vector<SnapshotSet> &sets, const std::vector<ShapePoint> &points,
-                                const Swimmer<2> &swimmer);
+  /// From runs, whose points are those of the snapshots in the same order; sets their heights. The head is at rest at
+  /// height zero.
+  Wandering wandering(const std::vector<SnapshotSet> &sets, const Swimmer<2> &swimmer, std::vector<ShapePoint> &points);
 
   /// The region that holds all points, widened by `margin`. No coordinate's scale is below a hundredth of the largest
   /// one's, so that round-off in modes that hardly move cannot leave it.

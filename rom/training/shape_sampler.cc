@@ -21,9 +21,11 @@ namespace swimtwin
     const auto       middle = c.pose.to_laboratory(swimmer_.arm_to_middle(c.shape));
     c.pose.angle            = point.angle_rad;
     c.shape                 = nodal_field<2>(basis_.displacement(point.q));
-    // A body without force turns about its middle, so that is what stays where it was, not the head.
-    c.pose.center = middle + dealii::Tensor<1, 2>({point.drift_x_m, point.drift_y_m + place_.height_m(point)}) -
-                    c.pose.rotation() * swimmer_.arm_to_middle(c.shape);
+    // Along the channel nothing but the ends is felt, so that the middle stays where it was; the height is the head's.
+    const double rest_m = c.pose.center[1];
+    c.pose.center =
+        middle + dealii::Tensor<1, 2>({point.drift_x_m, 0.}) - c.pose.rotation() * swimmer_.arm_to_middle(c.shape);
+    c.pose.center[1] = rest_m + place_.height_m(point) + point.drift_y_m;
     return c;
   }
 

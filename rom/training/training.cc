@@ -40,7 +40,7 @@ namespace swimtwin
       {
         take_snapshots();
         choose_basis();
-        follow_middle();
+        follow_head();
         model_       = assemble_body(swimmer_, tail_, basis_);
         model_.range = options_.range;
         SampleStore  store(options_.folder / "samples.h5", key_of_samples());
@@ -104,18 +104,23 @@ namespace swimtwin
         basis_.bent = std::make_shared<const BentTail>(
             fit_bent_tail(swimmer_, space_, coordinates, coordinates.of(X), communicator_,
                           [&](const int done, const int total) { report("shapes of least energy", done, total); }));
-        if (getenv("BENT_DEBUG"))
-          fmt::print(stderr, "bent: {} shapes, {} modes, shape error {:.2e}, moment error {:.2e}, monomials {} {}\n", basis_.bent->n_shapes, basis_.bent->modes.cols(), basis_.bent->shape_error, basis_.bent->moment_error, basis_.bent->amplitudes.exponents.rows(), basis_.bent->energy.exponents.rows());
         basis_.singular_values = coordinates.singular_values() * coordinates.length_m();
         record_representation(X, space_, basis_);
       }
 
-      void follow_middle()
+      void follow_head()
       {
         shapes_seen_ = trajectory_points(sets_, basis_, space_);
-        wandering_   = wandering_of_middle(sets_, shapes_seen_, swimmer_);
+        wandering_   = wandering(sets_, swimmer_, shapes_seen_);
         if (scene_.domain->moves_with_swimmer)
-          wandering_.usual = {0., Eigen::VectorXd::Zero(basis_.n_coordinates())};
+          forget_heights();
+      }
+
+      void forget_heights()
+      {
+        wandering_.usual = {0., Eigen::VectorXd::Zero(basis_.n_coordinates())};
+        for (auto &point : shapes_seen_)
+          point.drift_y_m = 0.;
       }
 
       std::string key_of_samples() const
@@ -140,10 +145,13 @@ namespace swimtwin
           const auto few = spread_out(shapes_seen_, {rest_}, region_, Eigen::VectorXd::Ones(region_.n_variables()), 4);
           pose_          = measure_pose_dependence(few, region_, rest_, wandering_.reach_m, sampler);
         }
-        region_.depends_on_angle = pose_.on_angle > negligible;
-        if (!region_.depends_on_angle)
-          for (auto &point : shapes_seen_)
-            point.angle_rad = 0.;
+        region_.depends_on_angle  = pose_.on_angle > negligible;
+        region_.depends_on_height = pose_.on_height > negligible;
+        for (auto &point : shapes_seen_)
+        {
+          point.angle_rad *= region_.depends_on_angle;
+          point.drift_y_m *= region_.depends_on_height;
+        }
       }
 
       void sample_resistance(ShapeSampler &sampler)
@@ -181,7 +189,7 @@ namespace swimtwin
       {
         samples_          = sampler.sample(points,
                                            [&](const int done, int) { report("resistance samples", done, options_.n_samples); });
-        fit_              = std::make_unique<ResistanceFit>(samples_, region_, effects_);
+        fit_              = std::make_unique<ResistanceFit>(samples_, region_, effects_, wandering_.usual);
         model_.resistance = fit_->resistance();
       }
 
@@ -230,11 +238,14 @@ namespace swimtwin
                        .together()));
         r.neglects.push_back(scene_.domain->moves_with_swimmer
                                  ? "Nothing of the pose: the domain moves with the swimmer."
-                                 : fmt::format("The place in the domain: over the {:.2g} mm x {:.2g} mm that the "
-                                               "body's middle strayed from its usual place, "
-                                               "resistance changes by at most {:.2g} %.",
-                                               1e3 * wandering_.reach_m[0], 1e3 * wandering_.reach_m[1],
-                                               100. * pose_.on_position));
+                                 : fmt::format("The place along the domain: over the {:.2g} mm that the body's middle "
+                                               "went in two periods, resistance changes by at most {:.2g} %.",
+                                               1e3 * wandering_.reach_m[0], 100. * pose_.on_way));
+        if (!scene_.domain->moves_with_swimmer && !region_.depends_on_height)
+          r.neglects.push_back(
+              fmt::format("The height in the domain: over the {:.2g} mm from the usual one, resistance "
+                          "changes by at most {:.2g} %.",
+                          1e3 * wandering_.reach_m[1], 100. * pose_.on_height));
         if (!scene_.domain->moves_with_swimmer && !region_.depends_on_angle)
           r.neglects.push_back(
               fmt::format("The angle in the domain: resistance changes by at most {:.2g} %.", 100. * pose_.on_angle));
