@@ -16,7 +16,7 @@ namespace swimtwin
     {
       std::vector<int> kept;
       for (int i = 0; i < tail.n_amplitudes(); ++i)
-        if (tail.amplitudes.are_given() || i < k || i >= tail.n_coordinates())
+        if ((tail.amplitudes.are_given() && k > 0) || i < k || i >= tail.n_coordinates())
           kept.push_back(i);
       return kept;
     }

@@ -1,5 +1,6 @@
 #include <reports/sweep/sweep_files.h>
 
+#include <datasets/reduced/held_out_error.h>
 #include <datasets/text/csv_writer.h>
 #include <datasets/files/hdf5_file.h>
 #include <datasets/files/hdf5_provenance.h>
@@ -85,7 +86,8 @@ namespace swimtwin
 
     Json model_json(const ReducedModel &model, const SweepRecord &record)
     {
-      auto runs = Json::array();
+      const HeldOutError error = displacement_error(model.record);
+      auto               runs  = Json::array();
       for (const HeldOutRun &run : model.record.held_out_runs)
         runs.push_back({{"young_modulus_Pa", run.young_modulus_Pa},
                         {"magnetization_A_m", run.magnetization_A_m},
@@ -97,6 +99,9 @@ namespace swimtwin
               {"n_modes", record.n_modes},
               {"trained_range", range_json(model.range)},
               {"held_out_runs", runs},
+              {"held_out_error_rms", error.is_known() ? Json(error.rms) : Json()},
+              {"held_out_error_worst", error.is_known() ? Json(error.worst) : Json()},
+              {"target", target_of(model.record)},
               {"neglects", model.record.neglects}};
     }
   } // namespace

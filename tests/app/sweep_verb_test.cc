@@ -102,6 +102,20 @@ namespace swimtwin
     EXPECT_EQ(table.cells(1).back(), "ok");
   }
 
+  TEST_F(SweepVerb, SaysThatItsModelMissedItsTargetAndMarksTheRows)
+  {
+    ReducedModel off                                   = example_model({.magnetic_tail = false});
+    off.record.held_out_runs[0].reduced_displacement_m = 1.25 * off.record.held_out_runs[0].displacement_m;
+    write_reduced_model(folder.path / "off.h5", off, Provenance{});
+    const Outcome outcome = sweep_tool({"sweep", (folder.path / "off.h5").string(), "--frequency", "0.8,1", "--output",
+                                        (folder.path / "swept").string(), "--quiet"});
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    expect_in(outcome.errors, "off.h5: the reduced model misses its target: displacements are off by 25 % (rms)");
+    const CsvTable table = CsvTable::read(folder.path / "swept/displacement_frequency.csv");
+    EXPECT_EQ(table.cells(0).back(), "held-out runs nearby are off by 25 %");
+    EXPECT_NEAR(table.column("held_out_error")[1], 0.25, 1e-12);
+  }
+
   TEST_F(SweepVerb, WarnsOfRowsThatWereNotComputed)
   {
     const Outcome outcome = sweep({"--magnetization", "1e5,1e300", "--quiet"});

@@ -191,6 +191,73 @@ namespace swimtwin
       return resistance;
     }
 
+    /// Draws numbers of its own, so that models without height are what they were.
+    void add_height(ReducedResistance &resistance)
+    {
+      RandomNumbers      random(11);
+      const Eigen::Index n = resistance.exponents.rows(), m = resistance.exponents.cols(),
+                         r           = resistance.coordinate_scale_m.size();
+      resistance.depends_on_height   = true;
+      resistance.height_scale_m      = 0.8e-3;
+      resistance.usual_by_sine_m     = 1e-3 * random();
+      resistance.usual_by_coordinate = 0.3 * random.vector(r);
+      // Every second monomial again, once times the height and another coordinate that is odd, once times its square.
+      std::vector<std::pair<Eigen::RowVectorXi, Eigen::RowVectorXd>> more;
+      for (Eigen::Index f = 0; f < n; f += 2)
+      {
+        Eigen::RowVectorXi exponents(m + 1);
+        exponents << resistance.exponents.row(f), 1;
+        ++exponents[0];
+        more.emplace_back(exponents, 0.3 * random() * resistance.coefficients.row(f));
+        exponents << resistance.exponents.row(f), 2;
+        more.emplace_back(exponents, 0.3 * random() * resistance.coefficients.row(f));
+      }
+      resistance.exponents.conservativeResize(n + static_cast<Eigen::Index>(more.size()), m + 1);
+      resistance.exponents.rightCols<1>().setZero();
+      resistance.coefficients.conservativeResize(resistance.exponents.rows(), Eigen::NoChange);
+      for (std::size_t k = 0; k < more.size(); ++k)
+      {
+        resistance.exponents.row(n + static_cast<Eigen::Index>(k))    = more[k].first;
+        resistance.coefficients.row(n + static_cast<Eigen::Index>(k)) = more[k].second;
+      }
+    }
+
+    /// Each odd mode follows one coordinate, and all follow products of them.
+    ShapePolynomials bent_amplitudes(const Eigen::VectorXi &parity, const int r, RandomNumbers &random)
+    {
+      ShapePolynomials bent{Eigen::VectorXd::Constant(r, 1.5e-3), cubic_exponents(r), {}};
+      bent.coefficients = Eigen::MatrixXd::Zero(bent.exponents.rows(), parity.size());
+      for (Eigen::Index f = 0; f < bent.exponents.rows(); ++f)
+        for (Eigen::Index k = 0; k < parity.size(); ++k)
+          if (const int degree = bent.exponents.row(f).sum(); degree > 0 && (degree % 2 == 0) == (parity[k] > 0))
+            bent.coefficients(f, k) =
+                1.5e-3 * (degree == 1 ? double(k < r && bent.exponents(f, k) == 1) : 0.1 * random());
+      return bent;
+    }
+
+    /// Grows in all directions.
+    ShapePolynomials bent_energy(const int r, RandomNumbers &random)
+    {
+      ShapePolynomials bent{Eigen::VectorXd::Constant(r, 1.5e-3), Eigen::MatrixXi::Zero(2 * r, r),
+                            Eigen::MatrixXd::Zero(2 * r, 1)};
+      for (int i = 0; i < r; ++i)
+      {
+        bent.exponents(i, i)     = 2;
+        bent.exponents(r + i, i) = 2;
+        bent.exponents(r + i, 0) += 2;
+        bent.coefficients(i, 0)     = 2e-9 * (1. + 0.3 * random());
+        bent.coefficients(r + i, 0) = 2e-10 * (1. + 0.3 * random());
+      }
+      return bent;
+    }
+
+    void bend(ReducedModel &model, const int r)
+    {
+      RandomNumbers random(13);
+      model.tail.amplitudes = bent_amplitudes(model.tail.parity, r, random);
+      model.elasticity      = {{}, {}, 0.4, bent_energy(r, random)};
+    }
+
     ReducedArea make_area(const Eigen::VectorXi &parity, const bool is_kept, RandomNumbers &random)
     {
       const Eigen::Index r = parity.size();
@@ -242,6 +309,10 @@ namespace swimtwin
       model.magnet.tail_area_of_mode_m(model.tail.parity[k] > 0 ? 0 : 1, k) = 1e-3 * random();
     model.area       = make_area(model.tail.parity, options.keeps_area, random);
     model.resistance = make_resistance(model.tail, options.depends_on_angle, random);
+    if (options.depends_on_height)
+      add_height(model.resistance);
+    if (options.is_bent)
+      bend(model, options.n_modes);
     model.range      = make_range();
     model.record     = make_record();
     model.scene_name = "example";

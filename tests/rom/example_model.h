@@ -10,11 +10,13 @@ namespace swimtwin
 {
   struct ExampleOptions
   {
-    int  n_modes          = 4;
-    int  n_followers      = 0;
-    bool depends_on_angle = true;
-    bool keeps_area       = false;
-    bool magnetic_tail    = true;
+    int  n_modes           = 4;
+    int  n_followers       = 0;
+    bool depends_on_angle  = true;
+    bool keeps_area        = false;
+    bool magnetic_tail     = true;
+    bool depends_on_height = false;
+    bool is_bent           = false; ///< shapes and energy are polynomials of bending coordinates; no followers
   };
 
   ReducedModel example_model(const ExampleOptions &options = {});

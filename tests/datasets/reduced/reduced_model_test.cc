@@ -168,10 +168,10 @@ namespace swimtwin
     const TemporaryFolder folder;
     Hdf5Writer            writer;
     writer.write_attribute("/", "format", "swimtwin reduced model");
-    writer.write_attribute("/", "format_version", 2.);
+    writer.write_attribute("/", "format_version", 3.);
     writer.save(folder.path / "model.h5");
     const std::string message = message_of<InputError>([&] { read_reduced_model(folder.path / "model.h5"); });
-    expect_in(message, "format version 2, and this program reads version 1");
+    expect_in(message, "format version 3, and this program reads versions 1 to 2");
     expect_in(message, "train it again");
   }
 

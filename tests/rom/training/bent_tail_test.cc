@@ -1,0 +1,117 @@
+#include <rom/training/bent_tail.h>
+
+#include <fom/body/nodal_vector.h>
+#include <fom/run/run_recorder.h>
+#include <rom/training/relaxed_tail.h>
+#include <tests/fom/shipped_scene.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace swimtwin
+{
+  namespace
+  {
+    struct BentBody
+    {
+      explicit BentBody(const std::string &law)
+          : scene(
+                shipped_scene("reference-2d-casefile", {"numerics.mesh_size_m=6e-4", "numerics.mesh_size_corner_m=2e-4",
+                                                        "tail.law=\"" + law + "\""})),
+            swimmer(scene, MPI_COMM_WORLD), space(make_tail_space(RunRecorder(scene).snapshots(swimmer))),
+            coordinates(swimmer)
+      {
+        coordinates.choose_modes(Eigen::MatrixXd(2 * swimmer.tail().mesh.n_nodes(), 0), 2);
+        bend << 0.5 * coordinates.length_m(), -0.2 * coordinates.length_m(); // rms angles of 0.5 and 0.2 rad
+      }
+
+      Scene              scene;
+      Swimmer<2>         swimmer;
+      TailSpace          space;
+      BendingCoordinates coordinates;
+      Eigen::VectorXd    bend = Eigen::VectorXd::Zero(2);
+    };
+
+    class BentTails : public ::testing::TestWithParam<const char *>
+    {
+    protected:
+      BentBody body{GetParam()};
+    };
+  } // namespace
+
+  TEST(BendingCoordinates, OfATurnedTailAreItsAngle)
+  {
+    const BentBody        body("st-venant-kirchhoff");
+    const double          angle = 2.5; // far beyond a right angle
+    const Eigen::Matrix2d turn  = Eigen::Rotation2Dd(angle).toRotationMatrix() - Eigen::Matrix2d::Identity();
+    Eigen::VectorXd       turned(body.space.nodes_m.size());
+    for (Eigen::Index a = 0; a < body.space.nodes_m.rows(); ++a)
+      turned.segment<2>(2 * a) = turn * body.space.nodes_m.row(a).transpose();
+    const Eigen::VectorXd q = body.coordinates.of(turned);
+    EXPECT_NEAR(q[0], angle * body.coordinates.length_m(), 1e-12 * q[0]); // the first mode is constant
+    EXPECT_NEAR(q[1], 0., 1e-12 * q[0]);
+  }
+
+  TEST_P(BentTails, RelaxToTheCoordinatesThatWereAsked)
+  {
+    RelaxedTail tail(body.swimmer, body.coordinates);
+    const auto  shapes = tail.on_the_way_to(body.bend, 4);
+    ASSERT_EQ(shapes.size(), 4u);
+    EXPECT_LE((body.coordinates.of(shapes.back().displacement) - body.bend).norm(), 1e-9 * body.bend.norm());
+  }
+
+  TEST_P(BentTails, HoldTheMomentsThatTheirEnergyTells)
+  {
+    RelaxedTail        tail(body.swimmer, body.coordinates);
+    const RelaxedShape at = tail.on_the_way_to(body.bend, 4).back();
+    const double       h  = 1e-4 * body.coordinates.length_m();
+    for (int k = 0; k < 2; ++k)
+    {
+      const Eigen::VectorXd step  = h * Eigen::VectorXd::Unit(2, k);
+      const double          slope = (tail.on_the_way_to(body.bend + step, 4).back().energy_m2 -
+                            tail.on_the_way_to(body.bend - step, 4).back().energy_m2) /
+                           (2. * h);
+      EXPECT_NEAR(at.slope_m[k], slope, 1e-6 * at.slope_m.norm());
+    }
+  }
+
+  TEST_P(BentTails, AreOfLeastEnergy)
+  {
+    RelaxedTail        tail(body.swimmer, body.coordinates);
+    const RelaxedShape at = tail.on_the_way_to(body.bend, 4).back();
+    // Any other shape with the same coordinates: pull the tip outwards, then bend back to them.
+    const double    E   = body.scene.tail->young_modulus_Pa;
+    Eigen::VectorXd off = at.displacement;
+    for (Eigen::Index a = 0; a < body.space.nodes_m.rows(); ++a)
+      if (!body.swimmer.is_clamped(static_cast<unsigned int>(a)))
+        off[2 * a] += 1e-3 * (body.space.nodes_m(a, 0) - 0.25e-3);
+    const double energy = body.swimmer.elasticity().energy(nodal_field<2>(off)) / E;
+    const double moved  = at.slope_m.dot(body.coordinates.of(off) - at.q); // work of the moments
+    EXPECT_GT(energy - at.energy_m2 - moved, 0.);
+  }
+
+  TEST_P(BentTails, AreFittedWithTheirEnergyAndExactParity)
+  {
+    Eigen::MatrixXd seen(2, 40); // a loop
+    for (int k = 0; k < 40; ++k)
+      seen.col(k) << body.bend[0] * std::cos(.157 * k), body.bend[1] * std::sin(.157 * k);
+    const BentTail bent = fit_bent_tail(body.swimmer, body.space, body.coordinates, seen, MPI_COMM_WORLD);
+    EXPECT_LE(bent.shape_error, 1e-4);
+    EXPECT_LE(bent.moment_error, 1e-4);
+
+    TailBasis basis;
+    basis.bent              = std::make_shared<const BentTail>(bent);
+    const Eigen::VectorXd q = .6 * body.bend, d = basis.displacement(q);
+    EXPECT_LE((basis.coordinates_of(body.space, d) - q).norm(), 1e-3 * q.norm());
+    EXPECT_LE((body.space.mirrored(d) - basis.displacement(-q)).cwiseAbs().maxCoeff(), 1e-9 * d.cwiseAbs().maxCoeff());
+    const RelaxedShape          at = RelaxedTail(body.swimmer, body.coordinates).on_the_way_to(q, 3).back();
+    const CoordinatePolynomials energy(bent.energy, Eigen::VectorXi::Constant(2, -1));
+    EXPECT_NEAR(energy.value(q)[0], at.energy_m2, 1e-4 * at.energy_m2);
+  }
+
+  INSTANTIATE_TEST_SUITE_P(Laws, BentTails, ::testing::Values("st-venant-kirchhoff", "neo-hookean"),
+                           [](const auto &instance) {
+                             return instance.index == 0 ? "StVenantKirchhoff" : "NeoHookean";
+                           });
+} // namespace swimtwin
