@@ -41,6 +41,16 @@ namespace swimtwin
       return range;
     }
 
+    void require_law_of_basis(const Scene &scene, const BasisChoice basis)
+    {
+      if (basis != BasisChoice::bending && scene.tail->law != MaterialModel::st_venant_kirchhoff)
+        throw InputError(
+            fmt::format("{} cannot be trained with this --basis: [tail] law is not \"st-venant-kirchhoff\", "
+                        "the only one whose energy is a polynomial of displacement modes; leave --basis out, "
+                        "or change the law",
+                        scene.name));
+    }
+
     void require_small_inertia(const TrainCommand &command, const Scene &scene, const TrainedRange &range)
     {
       const double group = unsteady_group(scene, range.frequency_Hz.high, range.viscosity_Pa_s.low);
@@ -73,6 +83,7 @@ namespace swimtwin
       own.command_line = command.common.command_line;
       own.target       = parse_share("--target", command.target);
       own.snapshots    = {command.snapshots.begin(), command.snapshots.end()};
+      require_law_of_basis(scene, own.basis);
       require_small_inertia(command, scene, own.range);
       for (const auto &file : own.snapshots)
         read_snapshots(file); // refused now rather than after the runs

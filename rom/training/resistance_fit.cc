@@ -83,7 +83,7 @@ namespace swimtwin
 
     Eigen::MatrixXd fit_coefficients(const Eigen::MatrixXi &exponents, const SampleTable &table)
     {
-      const Eigen::MatrixXd A = design(exponents, table.z);
+      const Eigen::MatrixXd A = table.weight.asDiagonal() * design(exponents, table.z);
       Eigen::MatrixXd       c = Eigen::MatrixXd::Zero(exponents.rows(), table.entries.cols());
       for (const int odd : {0, 1})
       {
@@ -91,7 +91,7 @@ namespace swimtwin
         const auto      entries  = entries_of_parity(table.n, odd);
         Eigen::MatrixXd data     = Eigen::MatrixXd::Zero(A.rows() + static_cast<Eigen::Index>(features.size()),
                                                          static_cast<Eigen::Index>(entries.size()));
-        data.topRows(A.rows())   = table.entries(Eigen::all, entries);
+        data.topRows(A.rows())   = table.weight.asDiagonal() * table.entries(Eigen::all, entries);
         c(features, entries)     = solve_by_plain_qr(with_ridge(A(Eigen::all, features)), data);
       }
       return c;
@@ -117,7 +117,7 @@ namespace swimtwin
     {
       constexpr int       n_folds = 5;
       FitQuality          quality{0., 0., static_cast<int>(exponents.rows())};
-      std::vector<double> errors;
+      std::vector<double> errors, weights;
       for (int fold = 0; fold < n_folds; ++fold)
       {
         std::vector<int> kept, held;
@@ -126,14 +126,20 @@ namespace swimtwin
         const SampleTable     test   = table.rows(held);
         const Eigen::MatrixXd fitted = design(exponents, test.z) * fit_coefficients(exponents, table.rows(kept));
         for (Eigen::Index k = 0; k < fitted.rows(); ++k)
+        {
           errors.push_back(relative_error(fitted.row(k).transpose(), test.entries.row(k).transpose(), table.n));
+          weights.push_back(test.weight(k));
+        }
       }
-      for (const double e : errors)
+      double all = 0.;
+      for (std::size_t k = 0; k < errors.size(); ++k)
       {
-        quality.rms += e * e / errors.size();
-        quality.largest = std::max(quality.largest, e);
+        const double square = weights[k] * weights[k];
+        quality.rms += square * errors[k] * errors[k];
+        quality.largest = std::max(quality.largest, errors[k]);
+        all += square;
       }
-      quality.rms = std::sqrt(quality.rms);
+      quality.rms = std::sqrt(quality.rms / all);
       return quality;
     }
 
@@ -152,15 +158,16 @@ namespace swimtwin
     const Eigen::Index n       = samples.front().resistance.rows();
     resistance_.factor_at_rest = factor_at_rest(samples.front().resistance);
     SampleTable table{Eigen::MatrixXd(samples.size(), region.n_variables()),
-                      Eigen::MatrixXd(samples.size(), n * (n + 1) / 2), n};
+                      Eigen::MatrixXd(samples.size(), n * (n + 1) / 2), Eigen::VectorXd(samples.size()), n};
     for (std::size_t k = 0; k < samples.size(); ++k)
     {
+      table.weight(k)      = samples[k].point.weight;
       table.z.row(k)       = region.variables(samples[k].point).transpose();
       table.entries.row(k) = factor_entries(resistance_.factor_at_rest, samples[k].resistance).transpose();
     }
 
     choose_features(feature_sets(effects, table.z.rows()), table);
-    const Eigen::MatrixXd A = design(resistance_.exponents, table.z);
+    const Eigen::MatrixXd A = table.weight.asDiagonal() * design(resistance_.exponents, table.z);
     for (const int odd : {0, 1})
     {
       features_[odd]                = of_parity(resistance_.exponents, odd);
@@ -183,7 +190,7 @@ namespace swimtwin
   void ResistanceFit::choose_features(const std::vector<Eigen::MatrixXi> &sets, const SampleTable &table)
   {
     // The smallest set that is nearly as good as the best: every monomial is paid for at each step in time.
-    constexpr double        nearly = 1.5;
+    constexpr double        nearly = 1.15;
     std::vector<FitQuality> qualities;
     double                  best = std::numeric_limits<double>::infinity();
     for (const auto &set : sets)

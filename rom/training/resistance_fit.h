@@ -35,11 +35,12 @@ namespace swimtwin
   struct SampleTable
   {
     Eigen::MatrixXd z, entries;
+    Eigen::VectorXd weight;
     Eigen::Index    n; ///< size of the resistance
 
     SampleTable rows(const std::vector<int> &which) const
     {
-      return {z(which, Eigen::all), entries(which, Eigen::all), n};
+      return {z(which, Eigen::all), entries(which, Eigen::all), weight(which), n};
     }
   };
 

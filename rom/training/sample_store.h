@@ -16,6 +16,7 @@ namespace swimtwin
     double          angle_rad = 0.; ///< of the head
     double          drift_x_m = 0.; ///< of the body's middle along x
     double          drift_y_m = 0.; ///< of the head's centre above its usual height
+    double          weight    = 1.; ///< in fits: shapes that no motion went through count less
   };
 
   /// How high the head's centre usually is in a domain that stays: a swing of the head and a bend of the tail push it

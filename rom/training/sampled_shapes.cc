@@ -127,7 +127,8 @@ namespace swimtwin
   std::vector<ShapePoint> filling_points(const SampledRegion &region, const ShapePoint &rest, const int n)
   {
     constexpr std::array    primes{2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37};
-    const Eigen::Index      r = rest.q.size();
+    constexpr double        weight_of_filling = .3;
+    const Eigen::Index      r                 = rest.q.size();
     std::vector<ShapePoint> points;
     for (int k = 1; static_cast<int>(points.size()) < n; ++k)
     {
@@ -140,7 +141,8 @@ namespace swimtwin
         continue;
       z *= z.cwiseAbs().maxCoeff() / length;
       points.push_back(rest);
-      points.back().q = z.cwiseProduct(region.coordinate_scale_m);
+      points.back().weight = weight_of_filling;
+      points.back().q      = z.cwiseProduct(region.coordinate_scale_m);
       if (region.depends_on_angle)
         points.back().angle_rad = region.angle_scale_rad * (2. * halton(k, primes[r % primes.size()]) - 1.);
       if (region.depends_on_height)

@@ -22,7 +22,7 @@ namespace swimtwin
     TrainedRange                       range;
     BasisChoice                        basis         = BasisChoice::bending;
     int                                n_coordinates = 4, n_followers = 8;
-    int                                n_samples        = 1200; ///< of the resistance
+    int                                n_samples        = 2000; ///< of the resistance
     int                                n_held_out       = 4;    ///< full-order runs to compare with
     int                                steps_per_period = 60;   ///< of the runs that snapshots are taken from
     double                             target           = 0.01; ///< relative error of held-out displacements to be met
@@ -37,6 +37,6 @@ namespace swimtwin
   TrainedRange default_range(const Scene &scene);
 
   /// Throws InputError for a scene that the reduced swimmer cannot be: no tail, no fluid, a fixed head, gravity, walls
-  /// that move, another law than St Venant-Kirchhoff, a linear tail, another field than the sinusoid.
+  /// that move, a rigid or a linear tail, another field than the sinusoid.
   void require_trainable(const Scene &scene);
 } // namespace swimtwin

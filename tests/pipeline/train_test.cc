@@ -9,7 +9,8 @@ namespace swimtwin
   {
     /// A coarse swimmer, few shapes: half a minute on one core.
     std::vector<std::string> train_arguments(const std::filesystem::path    &folder,
-                                             const std::vector<std::string> &more = {})
+                                             const std::vector<std::string> &more   = {},
+                                             const std::string              &target = "5%")
     {
       std::vector<std::string> arguments{"train"};
       const auto               scene = ShrunkScene{"open-2d"}.with(
@@ -17,7 +18,7 @@ namespace swimtwin
       for (const auto &part :
            {scene.arguments(),
             {"--young-modulus", "8e4:2e5", "--frequency", "0.5:1.5", "--magnetization", "2e5", "--modes", "2",
-             "--followers", "3", "--samples", "90", "--held-out", "1", "--steps", "20", "--output", folder.string()},
+             "--samples", "90", "--held-out", "1", "--steps", "20", "--target", target, "--output", folder.string()},
             more})
         arguments.insert(arguments.end(), part.begin(), part.end());
       return arguments;
@@ -52,6 +53,20 @@ namespace swimtwin
     expect_failure(run_tool(train_arguments(results)), 2, {"model.h5", "--force"});
   }
 
+  // The same runs and samples cannot be good to a part in a million.
+  TEST(Train, KeepsAModelThatMissesItsTargetAndSaysSo)
+  {
+    const TemporaryFolder folder;
+    const auto            results = folder.path / "model";
+    expect_failure(run_tool(train_arguments(results, {"--basis", "elastic", "--followers", "3"}, "1e-6")), 1,
+                   {"model.h5", "misses its target"});
+    EXPECT_EQ(content(results / "model-card.txt").find("MISSED"), 0u);
+    EXPECT_EQ(read_reduced_model(results / "model.h5").record.target, 1e-6);
+    EXPECT_NE(run_tool({"sweep", (results / "model.h5").string(), "--output", (folder.path / "sweep").string()})
+                  .err.find("misses its target"),
+              std::string::npos);
+  }
+
   TEST(Train, RefusesWhatTheReducedSwimmerCannotBe)
   {
     const auto refuse = [](const std::vector<std::string> &arguments, const std::vector<std::string> &parts) {
@@ -61,7 +76,9 @@ namespace swimtwin
       expect_failure(run_tool(all), 2, parts);
     };
     refuse({"rigid-swimmer"}, {"cannot be trained", "[tail]"});
-    refuse({"open-2d", "--set", "tail.law=\"neo-hookean\""}, {"st-venant-kirchhoff"});
+    refuse({"open-2d", "--set", "tail.law=\"neo-hookean\"", "--basis", "pod"}, {"st-venant-kirchhoff", "--basis"});
+    refuse({"open-2d", "--set", "tail.law=\"rigid\""}, {"cannot be trained", "rigid"});
+    refuse({"open-2d", "--target", "none"}, {"--target"});
     refuse({"open-2d", "--set", "field.ramp_s=0.5"}, {"ramp_s", "take it out"});
     refuse({"open-2d", "--frequency", "0.1:30"}, {"unsteady group", "--allow-inertia"});
     refuse({"open-2d", "--young-modulus", "-1:2"}, {"--young-modulus"});
