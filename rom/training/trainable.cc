@@ -32,8 +32,9 @@ namespace swimtwin
             "add [fluid] and [domain]");
     require(scene, scene.head.is_free(), "[head] motion that is not \"free\", and the reduced swimmer swims",
             "set it to \"free\"");
-    require(scene, !scene.tail->is_rigid(), "[tail] law = \"rigid\", and there is no shape to reduce",
-            "run it with simulate, which is fast for a rigid body");
+    require(scene, scene.tail->is_elastic(),
+            "[tail] law is \"rigid\" or \"prescribed\", and its shape does not follow from forces",
+            "run it with simulate, or give it an elastic law");
     require(scene, scene.numerics.tail_order == 2, "[numerics] tail_order = 1, and a linear tail locks in bending",
             "use 2");
     require(scene, scene.gravity.acceleration_m_s2 == std::array<double, 2>{0., 0.},
