@@ -1,19 +1,19 @@
 // Where a reduced swimmer's error comes from: the full-order model's ingredients put in one after the other.
 //
 //   bench_shares SCENE TRAINED_FOLDER WORK_FOLDER [n held-out members (2)] [steps per period (100)]
+//
+// for the scene's own run, then members of the range that no training run had. Two minutes of CPU time each.
 #include <bench/battery/exact_motion.h>
 
 #include <datasets/run/run_summary_json.h>
 #include <datasets/system/error.h>
 #include <fom/body/nodal_vector.h>
 #include <fom/run/run_recorder.h>
-#include <reports/sweep/model_card.h>
 #include <rom/sweep/sweep.h>
 #include <rom/swimmer/dense_algebra.h>
 #include <rom/training/bent_tail.h>
 #include <rom/training/explored_shapes.h>
 #include <rom/training/sampled_shapes.h>
-#include <rom/training/training.h>
 #include <rom/training/training_runs.h>
 
 #include <deal.II/base/mpi.h>
@@ -246,27 +246,8 @@ namespace swimtwin
       std::fflush(stdout);
     }
 
-    void train_it(const std::vector<std::string> &words)
-    {
-      const Scene     scene = parse_scene(text_of_file(words[2]), words[2]);
-      TrainingOptions options;
-      options.folder        = words[3];
-      options.range         = default_range(scene);
-      options.n_coordinates = std::stoi(words[4]);
-      options.n_samples     = std::stoi(words[5]);
-      std::filesystem::create_directories(options.folder);
-      options.on_progress = [](const std::string &stage, const int done, const int total) {
-        if (done == total || done % 50 == 0)
-          fmt::print(stderr, "{} {} {}\n", stage, done, total);
-      };
-      const auto model = train(scene, options, MPI_COMM_WORLD);
-      fmt::print("{}", model_card(model));
-    }
-
     void measure(const std::vector<std::string> &words)
     {
-      if (words[1] == "train")
-        return train_it(words);
       const Scene scene = parse_scene(text_of_file(words[1]), words[1], {"fluid.inertia=none"});
       const int   n = words.size() > 4 ? std::stoi(words[4]) : 2, steps = words.size() > 5 ? std::stoi(words[5]) : 100;
       const Measurement measurement(scene, words[2], words[3], steps);
