@@ -192,15 +192,16 @@ namespace swimtwin
     }
 
     /// Draws numbers of its own, so that models without height are what they were.
-    void add_height(ReducedResistance &resistance)
+    void add_height(const Eigen::VectorXi &parity, ReducedResistance &resistance)
     {
       RandomNumbers      random(11);
       const Eigen::Index n = resistance.exponents.rows(), m = resistance.exponents.cols(),
                          r           = resistance.coordinate_scale_m.size();
       resistance.depends_on_height   = true;
-      resistance.height_scale_m      = 0.8e-3;
+      resistance.height_scale_m      = 2e-3;
       resistance.usual_by_sine_m     = 1e-3 * random();
       resistance.usual_by_coordinate = 0.3 * random.vector(r);
+      resistance.usual_by_coordinate = (parity.head(r).array() < 0).select(resistance.usual_by_coordinate, 0.).eval();
       // Every second monomial again, once times the height and another coordinate that is odd, once times its square.
       std::vector<std::pair<Eigen::RowVectorXi, Eigen::RowVectorXd>> more;
       for (Eigen::Index f = 0; f < n; f += 2)
@@ -310,7 +311,7 @@ namespace swimtwin
     model.area       = make_area(model.tail.parity, options.keeps_area, random);
     model.resistance = make_resistance(model.tail, options.depends_on_angle, random);
     if (options.depends_on_height)
-      add_height(model.resistance);
+      add_height(model.tail.parity, model.resistance);
     if (options.is_bent)
       bend(model, options.n_modes);
     model.range      = make_range();

@@ -77,7 +77,7 @@ namespace swimtwin
       for (int k = 1; k < swimmer.n_states(); ++k)
       {
         SwimmerState after = state, before = state;
-        const double h = k == 2 ? 1e-5 : 1e-8;
+        const double h = k == 2 ? 1e-5 : k == 1 ? 1e-7 : 1e-8;
         after[k] += h;
         before[k] -= h;
         expect_close(jacobian.col(k), (rate(after) - rate(before)) / (2. * h));

@@ -116,7 +116,7 @@ namespace swimtwin
     for (int i = 0; i < 50; ++i)
     {
       const auto [q, angle] = draw();
-      resistance.differentiate(q, angle, here);
+      resistance.differentiate(q, angle, 0., here);
       for (int l = 0; l < resistance.n_coordinates(); ++l)
       {
         const bool   is_angle = l == q.size();
@@ -127,8 +127,8 @@ namespace swimtwin
           q_after[l] += h;
           q_before[l] -= h;
         }
-        resistance.evaluate(q_after, angle + (is_angle ? h : 0.), after);
-        resistance.evaluate(q_before, angle - (is_angle ? h : 0.), before);
+        resistance.evaluate(q_after, angle + (is_angle ? h : 0.), 0., after);
+        resistance.evaluate(q_before, angle - (is_angle ? h : 0.), 0., before);
         Eigen::MatrixXd slope = Eigen::MatrixXd::Zero(here.factor.rows(), here.factor.cols());
         for (int k = 0; k < resistance.n_coordinates(); ++k)
           slope += here.factor_derivatives[static_cast<std::size_t>(k)] * here.coordinate_slopes(k, l);
