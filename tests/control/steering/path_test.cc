@@ -10,7 +10,6 @@ namespace swimtwin
 {
   namespace
   {
-    constexpr double pi = std::numbers::pi;
 
     std::string refusal(const Path &path, const double lever_m)
     {
@@ -29,17 +28,17 @@ namespace swimtwin
   TEST(Path, CircleAndSquareHaveTheirLengthsAndTurnLeft)
   {
     const Path circle = Path::circle(8e-3), square = Path::square(16e-3);
-    EXPECT_NEAR(circle.length_m(), 2. * pi * 8e-3, 1e-4 * circle.length_m());
+    EXPECT_NEAR(circle.length_m(), 2. * std::numbers::pi * 8e-3, 1e-4 * circle.length_m());
     EXPECT_NEAR(square.length_m(), 64e-3, 1e-15);
-    EXPECT_NEAR(circle.heading_rad(circle.length_m()) - circle.heading_rad(0.), 2. * pi, 0.02);
-    EXPECT_NEAR(square.heading_rad(63e-3), 1.5 * pi, 1e-12);
+    EXPECT_NEAR(circle.heading_rad(circle.length_m()) - circle.heading_rad(0.), 2. * std::numbers::pi, 0.02);
+    EXPECT_NEAR(square.heading_rad(63e-3), 1.5 * std::numbers::pi, 1e-12);
     EXPECT_NEAR((circle.at(0.25 * circle.length_m()).point_m - Eigen::Vector2d(8e-3, 8e-3)).norm(), 0., 1e-6);
   }
 
   TEST(Path, FigureEightTurnsBackAndComesHome)
   {
     const Path eight = Path::figure_eight(8e-3);
-    EXPECT_NEAR(eight.length_m(), 4. * pi * 8e-3, 1e-4 * eight.length_m());
+    EXPECT_NEAR(eight.length_m(), 4. * std::numbers::pi * 8e-3, 1e-4 * eight.length_m());
     EXPECT_NEAR(eight.at(eight.length_m()).point_m.norm(), 0., 1e-12);
     EXPECT_NEAR(eight.heading_rad(eight.length_m()), 0., 0.02);
   }
@@ -59,12 +58,12 @@ namespace swimtwin
   {
     const Path eight = Path::figure_eight(1.);
     EXPECT_LE(eight.nearest({0., 0.}, 0., 1.).arc_m, 1e-12);
-    EXPECT_NEAR(eight.nearest({0., 0.}, 5., 7.).arc_m, 2. * pi, 1e-3);
+    EXPECT_NEAR(eight.nearest({0., 0.}, 5., 7.).arc_m, 2. * std::numbers::pi, 1e-3);
   }
 
   TEST(Path, PlacingKeepsItsShape)
   {
-    const Path placed = Path::square(1.).placed(0.5 * pi, {2., 3.});
+    const Path placed = Path::square(1.).placed(0.5 * std::numbers::pi, {2., 3.});
     EXPECT_NEAR((placed.at(0.5).point_m - Eigen::Vector2d(2., 3.5)).norm(), 0., 1e-14);
     EXPECT_NEAR(placed.first(1.5).length_m(), 1.5, 1e-14);
   }
