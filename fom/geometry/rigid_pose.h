@@ -35,21 +35,24 @@ namespace swimtwin
     return v;
   }
 
-  /// Position of the head's centre (m) and unwrapped angle (rad) of the head frame. In 3D the attitude will be a unit
-  /// quaternion; everything else asks for rotation() and does not know.
+  /// The rotation of a motion in the plane of x and y, among `AngularVelocity`.
   template <int dim>
-  struct RigidPose;
+  constexpr int rotation_about_z = n_rotations<dim> - 1;
 
-  template <>
-  struct RigidPose<2>
+  /// Position of the head's centre (m) and unwrapped angle (rad) of the head frame about z. In 3D, motions are planar;
+  /// where they will not be, the attitude is a unit quaternion: everything else asks for rotation() and does not know.
+  template <int dim>
+  struct RigidPose
   {
-    dealii::Point<2> center;
-    double           angle = 0.;
+    dealii::Point<dim> center;
+    double             angle = 0.;
 
     /// R: from the head frame to the laboratory.
-    dealii::Tensor<2, 2> rotation() const
+    dealii::Tensor<2, dim> rotation() const
     {
-      dealii::Tensor<2, 2> r;
+      dealii::Tensor<2, dim> r;
+      for (int c = 2; c < dim; ++c)
+        r[c][c] = 1.;
       r[0][0] = r[1][1] = std::cos(angle);
       r[1][0]           = std::sin(angle);
       r[0][1]           = -r[1][0];
@@ -57,11 +60,11 @@ namespace swimtwin
     }
 
     /// Laboratory position of a point of the head frame.
-    dealii::Point<2> to_laboratory(const dealii::Tensor<1, 2> &x) const { return center + rotation() * x; }
+    dealii::Point<dim> to_laboratory(const dealii::Tensor<1, dim> &x) const { return center + rotation() * x; }
     /// Head-frame coordinates of a laboratory position.
-    dealii::Point<2> to_head_frame(const dealii::Point<2> &x) const
+    dealii::Point<dim> to_head_frame(const dealii::Point<dim> &x) const
     {
-      return dealii::Point<2>(transpose(rotation()) * (x - center));
+      return dealii::Point<dim>(transpose(rotation()) * (x - center));
     }
   };
 } // namespace swimtwin

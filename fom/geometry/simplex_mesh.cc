@@ -1,6 +1,7 @@
 #include <fom/geometry/simplex_mesh.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace swimtwin
@@ -74,14 +75,56 @@ namespace swimtwin
     return 2. * std::sqrt(3.) * smallest / sides;
   }
 
-  double worst_quality(const SimplexMesh<2> &mesh, const std::vector<Point<2>> &positions)
+  double element_quality(const std::array<Point<3>, 10> &x)
+  {
+    // The Jacobian's columns are linear, and known at the vertices; the determinant is a cubic polynomial, whose
+    // Bernstein coefficients are means over the ways to take each column at one of three vertices.
+    constexpr int mid_edge[4][4] = {{0, 4, 6, 7}, {4, 0, 5, 8}, {6, 5, 0, 9}, {7, 8, 9, 0}};
+    Tensor<1, 3>  column[3][4]; // by coordinate, at a vertex
+    for (int at = 0; at < 4; ++at)
+    {
+      const auto slope = [&](const int v) -> Tensor<1, 3> {
+        return v == at ? 3. * Tensor<1, 3>(x[v]) : 4. * Tensor<1, 3>(x[mid_edge[v][at]]) - Tensor<1, 3>(x[v]);
+      };
+      for (int j = 0; j < 3; ++j)
+        column[j][at] = slope(j + 1) - slope(0);
+    }
+    std::array<double, 64> sum{};
+    std::array<int, 64>    count{};
+    for (int a = 0; a < 4; ++a)
+      for (int b = 0; b < 4; ++b)
+      {
+        const Tensor<1, 3> normal = cross_product_3d(column[0][a], column[1][b]);
+        for (int c = 0; c < 4; ++c)
+        {
+          std::array<int, 3> taken{a, b, c};
+          std::sort(taken.begin(), taken.end());
+          const int index = 16 * taken[0] + 4 * taken[1] + taken[2];
+          sum[index] += normal * column[2][c];
+          ++count[index];
+        }
+      }
+    double smallest = std::numeric_limits<double>::max(), edges = 0.;
+    for (int i = 0; i < 64; ++i)
+      if (count[i] > 0)
+        smallest = std::min(smallest, sum[i] / count[i]);
+    for (int a = 0; a < 4; ++a)
+      for (int b = 0; b < a; ++b)
+        edges += (x[a] - x[b]).norm_square() / 6.;
+    return std::sqrt(2.) * smallest / (edges * std::sqrt(edges));
+  }
+
+  template <int dim>
+  double worst_quality(const SimplexMesh<dim> &mesh, const std::vector<Point<dim>> &positions)
   {
     double worst = std::numeric_limits<double>::max();
     for (const auto &cell : mesh.cells)
-      worst = std::min(worst, element_quality(cell_positions<2>(cell, positions)));
+      worst = std::min(worst, element_quality(cell_positions<dim>(cell, positions)));
     return worst;
   }
 
+  template double worst_quality<2>(const SimplexMesh<2> &, const std::vector<Point<2>> &);
+  template double worst_quality<3>(const SimplexMesh<3> &, const std::vector<Point<3>> &);
   template class SimplexMesh<2>;
   template class SimplexMesh<3>;
 } // namespace swimtwin

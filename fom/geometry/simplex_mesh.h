@@ -73,6 +73,10 @@ namespace swimtwin
   /// the mean squared length of its sides so that an equilateral one has 1 and an inverted one a number <= 0.
   double element_quality(const std::array<dealii::Point<2>, 6> &x);
 
+  /// The same of a quadratic tetrahedron: relative to the cubed root mean square of its edges.
+  double element_quality(const std::array<dealii::Point<3>, 10> &x);
+
   /// Worst element_quality over the mesh at the given node positions.
-  double worst_quality(const SimplexMesh<2> &mesh, const std::vector<dealii::Point<2>> &positions);
+  template <int dim>
+  double worst_quality(const SimplexMesh<dim> &mesh, const std::vector<dealii::Point<dim>> &positions);
 } // namespace swimtwin

@@ -1,17 +1,12 @@
 #include <fom/geometry/triangulate.h>
 
 #include <datasets/system/error.h>
+#include <fom/geometry/gmsh_session.h>
 
-#include <deal.II/base/mpi.h>
 #include <gmsh.h>
 
-#include <clocale>
-#include <cstdlib>
 #include <numeric>
-#include <optional>
 #include <string>
-#include <tuple>
-#include <type_traits>
 #include <unordered_map>
 
 namespace swimtwin
@@ -20,50 +15,6 @@ namespace swimtwin
 
   namespace
   {
-    /// FLTK, which gmsh asks for its taste in tooltips, writes to the home folder of whoever has one.
-    class WithoutHome
-    {
-    public:
-      WithoutHome()
-      {
-        if (const char *home = std::getenv("HOME"))
-          home_ = home;
-        ::unsetenv("HOME");
-      }
-      WithoutHome(const WithoutHome &)            = delete;
-      WithoutHome &operator=(const WithoutHome &) = delete;
-      ~WithoutHome()
-      {
-        if (home_)
-          ::setenv("HOME", home_->c_str(), 1);
-      }
-
-    private:
-      std::optional<std::string> home_;
-    };
-
-    /// gmsh is a global machine: started at the first mesh, stopped with the process.
-    class GmshSession
-    {
-    public:
-      static void start() { static GmshSession session; }
-
-    private:
-      GmshSession()
-      {
-        const WithoutHome nobody;
-        gmsh::initialize(0, nullptr, false); // without the settings that somebody keeps at home
-        std::setlocale(LC_ALL, "C");         // gmsh takes the language of the user
-        gmsh::option::setNumber("General.Terminal", 0);
-        gmsh::option::setNumber("Mesh.Algorithm", 6); // frontal Delaunay: the best-shaped triangles
-        gmsh::option::setNumber("Mesh.MeshSizeExtendFromBoundary", 0);
-        gmsh::option::setNumber("Mesh.MeshSizeFromPoints", 0);
-        gmsh::option::setNumber("Mesh.MeshSizeMin", 0.);
-        gmsh::option::setNumber("Mesh.Smoothing", 3);
-      }
-      ~GmshSession() { gmsh::finalize(); }
-    };
-
     /// gmsh's tolerances are absolute, so it sees the region in units of its own extent.
     double extent(const std::vector<Point<2>> &polygon)
     {
@@ -165,11 +116,8 @@ namespace swimtwin
 
     SimplexSoup<2> triangulate_here(const PlanarRegion &region)
     {
-      GmshSession::start();
-      std::srand(1); // gmsh perturbs points with rand(): the same region must give the same mesh
-      const double scale = extent(region.outer);
-      gmsh::clear();
-      gmsh::model::add("region");
+      begin_gmsh_model();
+      const double          scale  = extent(region.outer);
       std::vector<int>      loops  = {add_polygon(region.outer, scale)};
       std::vector<Point<2>> points = region.outer;
       for (const auto &hole : region.holes)
@@ -240,65 +188,16 @@ namespace swimtwin
     }
   } // namespace
 
-  namespace
-  {
-    template <typename T>
-    void broadcast(std::vector<T> &values, const MPI_Comm communicator)
-    {
-      static_assert(std::is_trivially_copyable_v<T>);
-      unsigned long long size = values.size();
-      MPI_Bcast(&size, 1, MPI_UNSIGNED_LONG_LONG, 0, communicator);
-      values.resize(size);
-      MPI_Bcast(values.data(), int(size * sizeof(T)), MPI_BYTE, 0, communicator);
-    }
-
-    /// Mesh on this rank; an empty soup and a message if that fails.
-    std::pair<SimplexSoup<2>, std::string> try_to_triangulate(const PlanarRegion &region)
-    {
-      if (outlines_cross(region))
-        return {{}, "the body's surface crosses itself or a wall"};
-      std::string message = "gmsh returned no triangles";
-      try
-      {
-        SimplexSoup<2> soup = region.mirror ? triangulate_reflected(region) : triangulate_here(region);
-        orient(soup);
-        return {soup, message};
-      }
-      catch (const std::exception &failure)
-      {
-        message = failure.what();
-      }
-      catch (const std::string &failure) // gmsh 4.8 throws plain strings and numbers
-      {
-        message = failure;
-      }
-      catch (const int number)
-      {
-        message = "gmsh error " + std::to_string(number);
-      }
-      return {{}, message};
-    }
-  } // namespace
-
   SimplexSoup<2> triangulate(const PlanarRegion &region, const MPI_Comm communicator)
   {
-    SimplexSoup<2>                     soup;
-    std::string                        message;
-    std::vector<std::array<double, 2>> coordinates;
-    if (Utilities::MPI::this_mpi_process(communicator) == 0)
-    {
-      std::tie(soup, message) = try_to_triangulate(region);
-      for (const auto &x : soup.vertices)
-        coordinates.push_back({x[0], x[1]});
-    }
-    broadcast(coordinates, communicator);
-    broadcast(soup.cells, communicator);
-    if (soup.cells.empty())
-      throw ComputationError("the mesh could not be made" + (message.empty() ? "" : " (" + message + ")") +
-                             ": check that the outlines do not cross and that [numerics] mesh sizes fit the geometry");
-    soup.vertices.clear();
-    for (const auto &[x, y] : coordinates)
-      soup.vertices.emplace_back(x, y);
-    return soup;
+    return mesh_on_first_rank<2>(
+        [&] {
+          if (outlines_cross(region))
+            throw ComputationError("the body's surface crosses itself or a wall");
+          SimplexSoup<2> soup = region.mirror ? triangulate_reflected(region) : triangulate_here(region);
+          orient(soup);
+          return soup;
+        },
+        communicator);
   }
 } // namespace swimtwin

@@ -17,8 +17,6 @@ namespace swimtwin
 
   namespace
   {
-    const char *const name_of_mesh = "the fluid's mesh";
-
     std::vector<Point<2>> vertices_of(const std::vector<Point<2>> &loop)
     {
       std::vector<Point<2>> vertices;
@@ -137,7 +135,7 @@ namespace swimtwin
       name_wall_nodes(domain, inner,
                       curve_loop(fluid.mesh, inner.nodes, numbers_from(n_outer + n_surface, inner.nodes)),
                       fluid.wall_nodes);
-    refuse_inverted_elements(fluid.mesh, name_of_mesh);
+    refuse_inverted_elements(fluid.mesh, name_of_fluid_mesh);
     return fluid;
   }
 
@@ -170,20 +168,21 @@ namespace swimtwin
     fluid.surface_nodes = nodes(surface, surface_numbers);
     if (!inner.nodes.empty())
       name_wall_nodes(domain, inner, nodes(inner.nodes, inner_numbers), fluid.wall_nodes);
-    refuse_inverted_elements(fluid.mesh, name_of_mesh);
+    refuse_inverted_elements(fluid.mesh, name_of_fluid_mesh);
     return fluid;
   }
 
-  FluidMeshRecord<2> record(const FluidMesh<2> &fluid_mesh)
+  template <int dim>
+  FluidMeshRecord<dim> record(const FluidMesh<dim> &fluid_mesh)
   {
-    FluidMeshRecord<2> record{{fluid_mesh.mesh.triangulation().get_vertices(), {}},
-                              fluid_mesh.mesh.nodes,
-                              fluid_mesh.surface_nodes,
-                              {},
-                              {},
-                              fluid_mesh.image_of_vertex};
+    FluidMeshRecord<dim> record{{fluid_mesh.mesh.triangulation().get_vertices(), {}},
+                                fluid_mesh.mesh.nodes,
+                                fluid_mesh.surface_nodes,
+                                {},
+                                {},
+                                fluid_mesh.image_of_vertex};
     for (const auto &cell : fluid_mesh.mesh.cells)
-      record.soup.cells.push_back({cell[0], cell[1], cell[2]});
+      std::copy_n(cell.begin(), dim + 1, record.soup.cells.emplace_back().begin());
     for (const auto &wall_node : fluid_mesh.wall_nodes)
     {
       record.wall_nodes.push_back(wall_node.node);
@@ -192,29 +191,34 @@ namespace swimtwin
     return record;
   }
 
-  FluidMesh<2> make_fluid_mesh(const Domain &domain, const FluidMeshRecord<2> &record, const MPI_Comm communicator)
+  template <int dim>
+  FluidMesh<dim> make_fluid_mesh(const Domain &domain, const FluidMeshRecord<dim> &record, const MPI_Comm communicator)
   {
-    FluidMesh<2> fluid{SimplexMesh<2>(record.soup, communicator), record.surface_nodes, {}, record.image_of_vertex};
+    FluidMesh<dim> fluid{SimplexMesh<dim>(record.soup, communicator), record.surface_nodes, {}, record.image_of_vertex};
     fluid.mesh.nodes = record.nodes;
-    refuse_inverted_elements(fluid.mesh, name_of_mesh);
+    refuse_inverted_elements(fluid.mesh, name_of_fluid_mesh);
     for (unsigned int i = 0; i < record.wall_nodes.size(); ++i)
       fluid.wall_nodes.push_back({record.wall_nodes[i], &domain.walls.at(record.wall_names[i]), record.wall_names[i]});
     return fluid;
   }
 
-  Tensor<1, 2> wall_velocity(const Domain &domain, const std::string &wall_name, const Point<2> &x, const double time_s)
+  template <int dim>
+  Tensor<1, dim> wall_velocity(const Domain &domain, const std::string &wall_name, const Point<dim> &x,
+                               const double time_s)
   {
-    const Wall  &wall        = domain.walls.at(wall_name);
-    const double ramp        = time_s < wall.ramp_s ? .5 * (1. - std::cos(pi * time_s / wall.ramp_s)) : 1.;
-    const double speed       = ramp * wall.speed_m_s;
-    const bool   is_vertical = wall_name == "left" || wall_name == "right";
-    Tensor<1, 2> v;
+    const Wall    &wall        = domain.walls.at(wall_name);
+    const double   ramp        = time_s < wall.ramp_s ? .5 * (1. - std::cos(pi * time_s / wall.ramp_s)) : 1.;
+    const double   speed       = ramp * wall.speed_m_s;
+    const bool     is_vertical = wall_name == "left" || wall_name == "right";
+    Tensor<1, dim> v;
     if (wall.condition == WallCondition::moving_wall)
     {
       if (is_round(domain))
       {
-        const Tensor<1, 2> r = x - Point<2>(domain.center_m[0], domain.center_m[1]);
-        v                    = rotational_velocity<2>(AngularVelocity<2>({speed / r.norm()}), r);
+        // about the axis along z
+        const double a = x[0] - domain.center_m[0], b = x[1] - domain.center_m[1], rate = speed / std::hypot(a, b);
+        v[0] = -rate * b;
+        v[1] = rate * a;
       }
       else
         v[is_vertical ? 1 : 0] = speed;
@@ -223,9 +227,22 @@ namespace swimtwin
     {
       const int    along = is_vertical ? 1 : 0;
       const double s     = (x[along] - domain.center_m[along]) / (domain.size_m[along] / 2);
-      const double shape = wall.profile == InflowProfile::parabolic ? 1.5 * (1. - s * s) : 1.;
-      v[1 - along]       = (wall_name == "left" || wall_name == "bottom" ? 1. : -1.) * shape * speed;
+      double       shape = wall.profile == InflowProfile::parabolic ? 1.5 * (1. - s * s) : 1.;
+      if (dim == 3 && wall.profile == InflowProfile::parabolic)
+      {
+        const double z = x[dim - 1] / (domain.size_z_m / 2);
+        shape *= 1.5 * (1. - z * z);
+      }
+      v[1 - along] = (wall_name == "left" || wall_name == "bottom" ? 1. : -1.) * shape * speed;
     }
     return v;
   }
+
+  template FluidMeshRecord<2> record<2>(const FluidMesh<2> &);
+  template FluidMeshRecord<3> record<3>(const FluidMesh<3> &);
+  template FluidMesh<2>       make_fluid_mesh<2>(const Domain &, const FluidMeshRecord<2> &, MPI_Comm);
+  template FluidMesh<3>       make_fluid_mesh<3>(const Domain &, const FluidMeshRecord<3> &, MPI_Comm);
+  template Tensor<1, 2>       wall_velocity<2>(const Domain &, const std::string &, const Point<2> &, double);
+  template Tensor<1, 3>       wall_velocity<3>(const Domain &, const std::string &, const Point<3> &, double);
+
 } // namespace swimtwin

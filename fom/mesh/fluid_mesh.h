@@ -4,6 +4,7 @@
 #include <datasets/scene/scene.h>
 #include <fom/geometry/planar_curve.h>
 #include <fom/geometry/rigid_pose.h>
+#include <fom/mesh/body_mesh.h>
 #include <fom/geometry/simplex_mesh.h>
 
 namespace swimtwin
@@ -38,6 +39,11 @@ namespace swimtwin
                                          const RigidPose<2> &pose_at_rest, const Numerics &numerics,
                                          MPI_Comm communicator);
 
+  /// The fluid around a body in space, whose surface nodes are at x, mirror images of each other at z = 0: meshed at
+  /// z >= 0 and reflected. `center`: of the domain. Collective; throws as above.
+  FluidMesh<3> make_fluid_mesh(const Domain &domain, const BodyMesh<3> &body, const std::vector<dealii::Point<3>> &x,
+                               const dealii::Point<3> &center, const Numerics &numerics, MPI_Comm communicator);
+
   /// A fluid mesh as plain data, to be written and made again node for node.
   template <int dim>
   struct FluidMeshRecord
@@ -49,10 +55,15 @@ namespace swimtwin
     std::vector<unsigned int>       image_of_vertex;
   };
 
-  FluidMeshRecord<2> record(const FluidMesh<2> &fluid_mesh);
-  FluidMesh<2>       make_fluid_mesh(const Domain &domain, const FluidMeshRecord<2> &record, MPI_Comm communicator);
+  template <int dim>
+  FluidMeshRecord<dim> record(const FluidMesh<dim> &fluid_mesh);
+  template <int dim>
+  FluidMesh<dim> make_fluid_mesh(const Domain &domain, const FluidMeshRecord<dim> &record, MPI_Comm communicator);
 
   /// Velocity (m/s) that a wall imposes at a point; zero for no-slip. Not for traction-free walls.
-  dealii::Tensor<1, 2> wall_velocity(const Domain &domain, const std::string &wall_name, const dealii::Point<2> &x,
-                                     double time_s);
+  template <int dim>
+  dealii::Tensor<1, dim> wall_velocity(const Domain &domain, const std::string &wall_name, const dealii::Point<dim> &x,
+                                       double time_s);
+
+  inline constexpr const char *name_of_fluid_mesh = "the fluid's mesh";
 } // namespace swimtwin

@@ -13,7 +13,11 @@ namespace swimtwin
 
   namespace
   {
-    using CellPositions = std::array<Point<2>, 6>;
+    template <int dim>
+    using CellPositions = std::array<Point<dim>, n_cell_nodes<dim>>;
+
+    /// Vertices of the edges, in the order of their middles.
+    constexpr unsigned int edge_ends[6][2] = {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
 
     /// An edge of an element, and how far its middle is off the chord.
     struct CurvedEdge
@@ -21,24 +25,35 @@ namespace swimtwin
       double length_m, bulge_m, element_height_m;
     };
 
-    CurvedEdge most_curved_edge(const CellPositions &x)
+    /// Distance of the farthest other corner from an edge.
+    template <int dim>
+    double height_above(const CellPositions<dim> &x, const Point<dim> &a, const Point<dim> &b)
     {
-      const Tensor<1, 2> a = x[1] - x[0], b = x[2] - x[0];
-      const double       twice_area = std::abs(a[0] * b[1] - a[1] * b[0]);
-      CurvedEdge         most{0., 0., 0.};
-      for (unsigned int e = 0; e < 3; ++e)
+      const Tensor<1, dim> along  = (b - a) / std::max(b.distance(a), std::numeric_limits<double>::min());
+      double               height = 0.;
+      for (unsigned int v = 0; v <= dim; ++v)
+        height = std::max(height, ((x[v] - a) - ((x[v] - a) * along) * along).norm());
+      return height;
+    }
+
+    template <int dim>
+    CurvedEdge most_curved_edge(const CellPositions<dim> &x)
+    {
+      CurvedEdge most{0., 0., 0.};
+      for (unsigned int e = 0; e + dim + 1 < n_cell_nodes<dim>; ++e)
       {
-        const double length = x[e].distance(x[(e + 1) % 3]);
-        const double bulge  = (x[3 + e] - .5 * (x[e] + Tensor<1, 2>(x[(e + 1) % 3]))).norm();
+        const Point<dim> &a = x[edge_ends[e][0]], &b = x[edge_ends[e][1]];
+        const double      bulge = (x[dim + 1 + e] - .5 * (a + Tensor<1, dim>(b))).norm();
         if (bulge > most.bulge_m)
-          most = {length, bulge, length > 0. ? twice_area / length : 0.};
+          most = {a.distance(b), bulge, height_above<dim>(x, a, b)};
       }
       return most;
     }
 
-    std::string cause(const CellPositions &x)
+    template <int dim>
+    std::string cause(const CellPositions<dim> &x)
     {
-      const auto [length, bulge, height] = most_curved_edge(x);
+      const auto [length, bulge, height] = most_curved_edge<dim>(x);
       if (bulge <= 1e-9 * length)
         return "its corners are on one line or in the wrong order";
       return fmt::format("an edge of {:.3g} m, too long for a curve of radius {:.2g} m, bulges by {:.2g} m where the "
@@ -47,14 +62,15 @@ namespace swimtwin
     }
   } // namespace
 
-  void refuse_inverted_elements(const SimplexMesh<2> &mesh, const std::string &name)
+  template <int dim>
+  void refuse_inverted_elements(const SimplexMesh<dim> &mesh, const std::string &name)
   {
-    double        worst = std::numeric_limits<double>::max();
-    CellPositions at_worst{};
+    double             worst = std::numeric_limits<double>::max();
+    CellPositions<dim> at_worst{};
     for (const auto &cell : mesh.cells)
     {
-      const CellPositions x       = cell_positions<2>(cell, mesh.nodes);
-      const double        quality = element_quality(x);
+      const CellPositions<dim> x       = cell_positions<dim>(cell, mesh.nodes);
+      const double             quality = element_quality(x);
       if (!(quality >= worst))
       {
         worst    = quality;
@@ -63,8 +79,14 @@ namespace swimtwin
     }
     if (worst > 0.)
       return;
-    const Point<2> middle = Point<2>((at_worst[0] + Tensor<1, 2>(at_worst[1]) + Tensor<1, 2>(at_worst[2])) / 3.);
-    throw InvertedElement(fmt::format("{} has an element inside out at ({:.4g}, {:.4g}) m (quality {:.2f}): {}", name,
-                                      middle[0], middle[1], worst, cause(at_worst)));
+    std::array<double, dim> middle{};
+    for (unsigned int v = 0; v <= dim; ++v)
+      for (int c = 0; c < dim; ++c)
+        middle[c] += at_worst[v][c] / (dim + 1);
+    throw InvertedElement(fmt::format("{} has an element inside out at ({:.4g}) m (quality {:.2f}): {}", name,
+                                      fmt::join(middle, ", "), worst, cause<dim>(at_worst)));
   }
+
+  template void refuse_inverted_elements<2>(const SimplexMesh<2> &, const std::string &);
+  template void refuse_inverted_elements<3>(const SimplexMesh<3> &, const std::string &);
 } // namespace swimtwin

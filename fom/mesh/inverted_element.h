@@ -17,5 +17,6 @@ namespace swimtwin
 
   /// Throws InvertedElement unless the Jacobian determinant of every element is positive everywhere in it, which its
   /// Bernstein coefficients prove (element_quality). A refused element may be right by a hair. `name`: which mesh.
-  void refuse_inverted_elements(const SimplexMesh<2> &mesh, const std::string &name);
+  template <int dim>
+  void refuse_inverted_elements(const SimplexMesh<dim> &mesh, const std::string &name);
 } // namespace swimtwin

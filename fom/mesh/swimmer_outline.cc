@@ -88,22 +88,33 @@ namespace swimtwin
     }
   } // namespace
 
-  SwimmerOutline make_outline(const Head &head, const std::optional<Tail> &tail, const Numerics &numerics)
+  OutlineCurves outline_curves(const Head &head, const std::optional<Tail> &tail, const Numerics &numerics)
   {
     const auto            shape = head_curves(head, tail ? tail->root_height_m / 2 : 0.);
     std::vector<Point<2>> fine  = shape.corners;
+    OutlineCurves         curves{shape.pieces_to_root, {}, {}, shape.root_end, {}, {}};
     if (tail)
     {
       const double x_tip = head.size_m[0] / 2 + tail->length_m;
       fine.push_back(tail->tip == TipShape::flat ? Point<2>(x_tip, tail->tip_height_m / 2) : Point<2>(x_tip, 0));
+      curves.side = side_curves(*tail, shape.root_end, head.size_m[0] / 2);
+      curves.root = shape.root;
+      curves.tip  = Point<2>(x_tip, 0);
     }
-    SwimmerOutline outline;
-    outline.size       = surface_size(fine, numerics);
-    outline.upper_head = divide_all(shape.pieces_to_root, outline.size);
+    curves.size = surface_size(fine, numerics);
+    return curves;
+  }
+
+  SwimmerOutline make_outline(const Head &head, const std::optional<Tail> &tail, const Numerics &numerics)
+  {
+    const OutlineCurves curves = outline_curves(head, tail, numerics);
+    SwimmerOutline      outline;
+    outline.size       = curves.size;
+    outline.upper_head = divide_all(curves.head, outline.size);
     if (tail)
     {
-      outline.upper_side = divide_all(side_curves(*tail, shape.root_end, head.size_m[0] / 2), outline.size);
-      outline.upper_root = divide_all(shape.root, outline.size);
+      outline.upper_side = divide_all(curves.side, outline.size);
+      outline.upper_root = divide_all(curves.root, outline.size);
       // The axis is a mirror line: its points must not carry the rounding of sines.
       outline.upper_side.back()[1] = outline.upper_root.front()[1] = 0.;
       outline.upper_side.front() = outline.upper_root.back() = outline.upper_head.back();

@@ -23,5 +23,15 @@ namespace swimtwin
     dealii::Point<2>              tip() const { return upper_side.back(); }
   };
 
+  /// The same as curves: the upper half in the half plane of x and distance from the axis.
+  struct OutlineCurves
+  {
+    std::vector<PlanarCurve> head;          ///< nose to where the tail starts (without a tail: to the back)
+    std::vector<PlanarCurve> side, root;    ///< of the tail: there to the tip, axis to there; empty without one
+    dealii::Point<2>         root_end, tip; ///< of the tail
+    SizeField                size;
+  };
+  OutlineCurves outline_curves(const Head &head, const std::optional<Tail> &tail, const Numerics &numerics);
+
   SwimmerOutline make_outline(const Head &head, const std::optional<Tail> &tail, const Numerics &numerics);
 } // namespace swimtwin

@@ -115,30 +115,25 @@ namespace swimtwin
     return reflect_upper_walls(inner_walls(domain, center), size, true, center[1]);
   }
 
-  namespace
+  const std::string &stronger_wall(const Domain &domain, const std::string &before, const std::string &here)
   {
-    /// The wall that a corner belongs to: one that imposes a velocity wins over an open end, a solid wall over an
-    /// inflow, one at rest over a moving one; else bottom and top win, so that mirrored corners are alike.
-    const std::string &wall_of_corner(const Domain &domain, const std::string &before, const std::string &here)
-    {
-      const auto rank = [&](const std::string &name) {
-        switch (domain.walls.at(name).condition)
-        {
-        case WallCondition::traction_free:
-          return 0;
-        case WallCondition::inflow:
-          return 1;
-        case WallCondition::moving_wall:
-          return 2;
-        default:
-          return 3;
-        }
-      };
-      if (rank(before) != rank(here))
-        return rank(before) > rank(here) ? before : here;
-      return before == "bottom" || before == "top" ? before : here;
-    }
-  } // namespace
+    const auto rank = [&](const std::string &name) {
+      switch (domain.walls.at(name).condition)
+      {
+      case WallCondition::traction_free:
+        return 0;
+      case WallCondition::inflow:
+        return 1;
+      case WallCondition::moving_wall:
+        return 2;
+      default:
+        return 3;
+      }
+    };
+    if (rank(before) != rank(here))
+      return rank(before) > rank(here) ? before : here;
+    return before == "bottom" || before == "top" ? before : here;
+  }
 
   void name_wall_nodes(const Domain &domain, const WallLoop &loop, const std::vector<unsigned int> &nodes,
                        std::vector<WallNode> &wall_nodes)
@@ -147,7 +142,7 @@ namespace swimtwin
     for (unsigned int e = 0; e < n; ++e)
     {
       const std::string &here   = loop.wall_of_edge[e];
-      const std::string &corner = wall_of_corner(domain, loop.wall_of_edge[(e + n - 1) % n], here);
+      const std::string &corner = stronger_wall(domain, loop.wall_of_edge[(e + n - 1) % n], here);
       wall_nodes.push_back({nodes[2 * e], &domain.walls.at(corner), corner});
       wall_nodes.push_back({nodes[2 * e + 1], &domain.walls.at(here), here});
     }

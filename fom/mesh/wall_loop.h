@@ -30,6 +30,10 @@ namespace swimtwin
   WallLoop mirrored_outer_loop(const Domain &domain, const dealii::Point<2> &center, const SizeField &size);
   WallLoop mirrored_inner_loop(const Domain &domain, const dealii::Point<2> &center, const SizeField &size);
 
+  /// The wall that a node between two belongs to: one that imposes a velocity wins over an open end, a solid wall over
+  /// an inflow, one at rest over a moving one; else bottom and top win, so that mirrored corners are alike.
+  const std::string &stronger_wall(const Domain &domain, const std::string &before, const std::string &here);
+
   /// Append the names of a loop's nodes, whose numbers in the mesh are `nodes`.
   void name_wall_nodes(const Domain &domain, const WallLoop &loop, const std::vector<unsigned int> &nodes,
                        std::vector<WallNode> &wall_nodes);

@@ -1,0 +1,173 @@
+#include <fom/geometry/boundary_faces.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+
+namespace swimtwin
+{
+  using namespace dealii;
+
+  namespace
+  {
+    using Cell = std::array<unsigned int, 4>;
+    using Edge = std::array<unsigned int, 2>;
+
+    Edge edge(const unsigned int a, const unsigned int b)
+    {
+      return {std::min(a, b), std::max(a, b)};
+    }
+
+    /// Of a straight tetrahedron: 1 if equilateral, negative if inverted.
+    double quality(const Cell &cell, const std::vector<Point<3>> &x)
+    {
+      double edges = 0.;
+      for (int a = 0; a < 4; ++a)
+        for (int b = 0; b < a; ++b)
+          edges += (x[cell[a]] - x[cell[b]]).norm_square() / 6.;
+      const double volume =
+          cross_product_3d(x[cell[1]] - x[cell[0]], x[cell[2]] - x[cell[0]]) * (x[cell[3]] - x[cell[0]]);
+      return std::sqrt(2.) * volume / (edges * std::sqrt(edges));
+    }
+
+    class Liberation
+    {
+    public:
+      Liberation(SimplexSoup<3> &soup, const TriangleSurface &boundary) : soup_(soup)
+      {
+        for (const auto &triangle : boundary.triangles)
+          for (int v = 0; v < 3; ++v)
+            boundary_.insert(edge(triangle[v], triangle[(v + 1) % 3]));
+      }
+
+      /// The edge to divide, if the cell has a bound corner; both ends are the same vertex if there is none.
+      std::optional<Edge> find(const Cell &cell) const
+      {
+        for (int corner = 0; corner < 4; ++corner)
+          if (is_bound(cell, corner))
+          {
+            for (int i = 1; i < 4; ++i)
+            {
+              const Edge opposite = edge(cell[(corner + i) % 4], cell[(corner + i % 3 + 1) % 4]);
+              if (!boundary_.count(opposite))
+                return opposite;
+            }
+            return Edge{cell[corner], cell[corner]};
+          }
+        return flat_edge(cell);
+      }
+
+      /// Divide all cells at an edge.
+      void divide(const Edge &at)
+      {
+        const unsigned int        m = soup_.vertices.size();
+        std::vector<unsigned int> around;
+        for (unsigned int n = 0; n < soup_.cells.size(); ++n)
+          if (has(soup_.cells[n], at[0]) && has(soup_.cells[n], at[1]))
+            around.push_back(n);
+        std::vector<Cell> halves;
+        Point<3>          center;
+        for (const auto n : around)
+        {
+          for (const auto v : soup_.cells[n])
+            center += soup_.vertices[v] / (4. * around.size());
+          for (const auto from : at)
+          {
+            Cell half = soup_.cells[n];
+            std::replace(half.begin(), half.end(), from, m);
+            halves.push_back(half);
+          }
+        }
+        place(Point<3>(.5 * (soup_.vertices[at[0]] + Tensor<1, 3>(soup_.vertices[at[1]]))), center, halves);
+        for (unsigned int i = 0; i < around.size(); ++i)
+        {
+          soup_.cells[around[i]] = halves[2 * i];
+          soup_.cells.push_back(halves[2 * i + 1]);
+        }
+      }
+
+      /// Divide one cell from its middle.
+      void divide(const unsigned int n)
+      {
+        const Cell         cell = soup_.cells[n];
+        const unsigned int m    = soup_.vertices.size();
+        Point<3>           middle;
+        for (const auto v : cell)
+          middle += soup_.vertices[v] / 4.;
+        soup_.vertices.push_back(middle);
+        for (int v = 0; v < 4; ++v)
+        {
+          Cell part = cell;
+          part[v]   = m;
+          v == 0 ? soup_.cells[n] = part : soup_.cells.emplace_back(part);
+        }
+      }
+
+    private:
+      /// An inner edge of a cell without volume, which gmsh leaves on plane pieces of the boundary.
+      std::optional<Edge> flat_edge(const Cell &cell) const
+      {
+        constexpr double without_volume = 0.02;
+        if (quality(cell, soup_.vertices) < without_volume)
+          for (int a = 0; a < 4; ++a)
+            for (int b = 0; b < a; ++b)
+              if (const Edge inner = edge(cell[a], cell[b]); !boundary_.count(inner))
+                return inner;
+        return std::nullopt;
+      }
+      /// Whether the three edges from a corner are on the boundary and nearly in a plane.
+      bool is_bound(const Cell &cell, const int corner) const
+      {
+        constexpr double nearly_flat = 0.6; // of the volume that unit vectors span
+        Tensor<1, 3>     along[3];
+        for (int i = 1; i < 4; ++i)
+        {
+          const unsigned int a = cell[corner], b = cell[(corner + i) % 4];
+          if (!boundary_.count(edge(a, b)))
+            return false;
+          along[i - 1] = (soup_.vertices[b] - soup_.vertices[a]) / soup_.vertices[b].distance(soup_.vertices[a]);
+        }
+        return std::abs(cross_product_3d(along[0], along[1]) * along[2]) < nearly_flat;
+      }
+      static bool has(const Cell &cell, const unsigned int v)
+      {
+        return std::find(cell.begin(), cell.end(), v) != cell.end();
+      }
+
+      void place(const Point<3> &middle, const Point<3> &center, const std::vector<Cell> &cells)
+      {
+        double   best  = -1.;
+        Point<3> there = middle;
+        soup_.vertices.push_back(middle);
+        for (double push = 0.; push <= 2.; push += .1)
+        {
+          soup_.vertices.back() = middle + push * (center - middle);
+          double worst          = 1.;
+          for (const Cell &cell : cells)
+            worst = std::min(worst, quality(cell, soup_.vertices));
+          if (worst > best)
+          {
+            best  = worst;
+            there = soup_.vertices.back();
+          }
+        }
+        soup_.vertices.back() = there;
+      }
+
+      SimplexSoup<3> &soup_;
+      std::set<Edge>  boundary_;
+    };
+  } // namespace
+
+  void free_corners_from_boundary(SimplexSoup<3> &soup, const TriangleSurface &boundary)
+  {
+    Liberation liberation(soup, boundary);
+    for (unsigned int n = 0; n < soup.cells.size(); ++n)
+      while (const auto at = liberation.find(soup.cells[n]))
+        if ((*at)[0] == (*at)[1])
+          liberation.divide(n);
+        else
+          liberation.divide(*at);
+  }
+} // namespace swimtwin

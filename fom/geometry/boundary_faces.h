@@ -1,0 +1,12 @@
+// Tetrahedra that stay sound when the edges on the boundary are curved.
+#pragma once
+
+#include <fom/geometry/tetrahedralize.h>
+
+namespace swimtwin
+{
+  /// Where three edges of a cell run from a vertex along one smooth piece of the boundary, they are tangent to it when
+  /// they are curved, and the map of the cell is singular at the vertex. Such a cell is divided, with a new vertex on
+  /// one of its other edges that is pushed to where the cells around it have the best shapes. The boundary stays.
+  void free_corners_from_boundary(SimplexSoup<3> &soup, const TriangleSurface &boundary);
+} // namespace swimtwin

@@ -1,0 +1,19 @@
+// gmsh as a global machine, started at the first mesh; what it makes on one rank, all ranks get.
+#pragma once
+
+#include <fom/geometry/simplex_mesh.h>
+
+#include <functional>
+#include <string>
+
+namespace swimtwin
+{
+  /// Call before anything of gmsh, on the rank that meshes: starts it with this project's settings if need be, empties
+  /// it, and makes what is random in it repeatable.
+  void begin_gmsh_model();
+
+  /// Run a mesh generator on rank 0 and give its mesh to all. Collective; throws ComputationError with what gmsh said
+  /// if it fails or there is not one cell.
+  template <int dim>
+  SimplexSoup<dim> mesh_on_first_rank(const std::function<SimplexSoup<dim>()> &generate, MPI_Comm communicator);
+} // namespace swimtwin
