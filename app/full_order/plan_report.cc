@@ -18,12 +18,13 @@ namespace swimtwin
     /// Nothing is said of meshes that there are not.
     std::string describe_size(const Scene &scene, const RunPlan &plan)
     {
-      std::string text;
+      const char *const cells = scene.dimension == 3 ? "tetrahedra" : "triangles";
+      std::string       text;
       if (scene.fluid)
-        text += fmt::format("  fluid mesh             {} triangles, worst quality {:.2f}\n", plan.n_fluid_cells,
+        text += fmt::format("  fluid mesh             {} {}, worst quality {:.2f}\n", plan.n_fluid_cells, cells,
                             plan.mesh_quality);
       if (scene.tail)
-        text += fmt::format("  tail mesh              {} triangles\n", plan.n_tail_cells);
+        text += fmt::format("  tail mesh              {} {}\n", plan.n_tail_cells, cells);
       return text + fmt::format("  unknowns               {}\n  steps                  {} of {:.4g} s\n",
                                 plan.n_unknowns, scene.time.n_steps(), scene.time.time_step_s());
     }

@@ -19,16 +19,20 @@ namespace swimtwin
 {
   namespace
   {
-    nlohmann::ordered_json to_json(const ResistanceResult<2> &result, const Scene &scene,
+    template <int dim>
+    nlohmann::ordered_json to_json(const ResistanceResult<dim> &result, const Scene &scene,
                                    const std::string &command_line, const double wall_time_s)
     {
       nlohmann::ordered_json json;
       json["matrix"] = nlohmann::ordered_json::array();
       for (int i = 0; i < 3; ++i)
         json["matrix"].push_back({result.matrix(i, 0), result.matrix(i, 1), result.matrix(i, 2)});
-      json["order"] = {"Ux", "Uy", "omega"};
-      json["units"] = "force and torque of the body on the fluid per unit depth: Pa s, Pa s m, Pa s m^2; torque about "
-                      "the head's centre";
+      json["order"]       = {"Ux", "Uy", dim == 2 ? "omega" : "omega_z"};
+      json["units"]       = dim == 2
+                                ? "force and torque of the body on the fluid per unit depth: Pa s, Pa s m, Pa s m^2; torque "
+                                  "about the head's centre"
+                                : "force and torque of the body on the fluid: Pa s m, Pa s m^2, Pa s m^3; torque about the "
+                                  "head's centre";
       json["asymmetry"]   = result.asymmetry;
       json["n_unknowns"]  = result.n_unknowns;
       json["n_cells"]     = result.n_cells;
@@ -41,21 +45,23 @@ namespace swimtwin
       return json;
     }
 
-    void print(const ResistanceResult<2> &result)
+    template <int dim>
+    void print(const ResistanceResult<dim> &result)
     {
-      say("Resistance of the body at rest, per unit depth ({} unknowns, asymmetry {:.1e})\n", result.n_unknowns,
-          result.asymmetry);
+      say("Resistance of the body at rest{} ({} unknowns, asymmetry {:.1e})\n", dim == 2 ? ", per unit depth" : "",
+          result.n_unknowns, result.asymmetry);
       say("  {:>16} {:>16} {:>16}\n", "Ux", "Uy", "omega");
       const char *const rows[] = {"Fx", "Fy", "T "};
       for (int i = 0; i < 3; ++i)
         say("{} {:16.8e} {:16.8e} {:16.8e}\n", rows[i], result.matrix(i, 0), result.matrix(i, 1), result.matrix(i, 2));
     }
 
+    template <int dim>
     void compute_and_report(const Scene &scene, const CommonOptions &common)
     {
-      const auto       start = std::chrono::steady_clock::now();
-      const Swimmer<2> swimmer(scene, MPI_COMM_WORLD);
-      const auto       result = compute_resistance(swimmer, swimmer.configuration_at_rest(), MPI_COMM_WORLD);
+      const auto         start = std::chrono::steady_clock::now();
+      const Swimmer<dim> swimmer(scene, MPI_COMM_WORLD);
+      const auto         result = compute_resistance(swimmer, swimmer.configuration_at_rest(), MPI_COMM_WORLD);
       if (!is_speaker())
         return;
       const double wall_time_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -68,7 +74,9 @@ namespace swimtwin
 
   void resistance_and_report(const Scene &scene, const CommonOptions &common)
   {
-    work_in_folder_together(output_request(common, written_by::resistance(), files_of(common, scene)),
-                            [&](const Begun &) { compute_and_report(scene, common); });
+    work_in_folder_together(
+        output_request(common, written_by::resistance(), files_of(common, scene)), [&](const Begun &) {
+          scene.dimension == 3 ? compute_and_report<3>(scene, common) : compute_and_report<2>(scene, common);
+        });
   }
 } // namespace swimtwin

@@ -78,7 +78,7 @@ namespace swimtwin
                   const int steps)
           : scene_(scene), work_(work), steps_(steps), swimmer_(scene_, MPI_COMM_SELF),
             model_(read_reduced_model(trained / "model.h5")),
-            space_(make_tail_space(RunRecorder(scene_).snapshots(swimmer_)))
+            space_(make_tail_space(RunRecorder<2>(scene_).snapshots(swimmer_)))
       {
         const auto      sets = training_sets(trained);
         Eigen::MatrixXd seen(space_.nodes_m.size(), 0);

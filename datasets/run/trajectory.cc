@@ -49,6 +49,17 @@ namespace swimtwin
         {"remeshed", &TrajectoryRow::remeshed},
     }};
 
+    /// The name of a column in three dimensions: forces, powers and energies are whole, not per depth.
+    std::string name_in_space(const std::string &name)
+    {
+      if (name.ends_with("torque_N"))
+        return name + "_m";
+      for (const char *unit : {"_W_m", "_J_m", "_N_m"})
+        if (name.ends_with(unit))
+          return name.substr(0, name.size() - 2);
+      return name;
+    }
+
     double value_of(const TrajectoryRow &row, const Column &column)
     {
       return std::visit([&](const auto member) { return static_cast<double>(row.*member); }, column.member);
@@ -139,12 +150,23 @@ namespace swimtwin
     summarize_motion(trajectory, period_s, initial_angle_rad, work_balance_per_period(trajectory, period_s), summary);
   }
 
-  void write_trajectory_csv(const std::filesystem::path &file, const Trajectory &trajectory)
+  void write_trajectory_csv(const std::filesystem::path &file, const Trajectory &trajectory, const int dimension)
   {
     require_finite_numbers(file, trajectory);
     std::vector<CsvColumn<TrajectoryRow>> cells;
     for (const Column &column : columns)
-      cells.push_back({column.name, [&column](const TrajectoryRow &row) { return value_of(row, column); }});
+      cells.push_back({dimension == 3 ? name_in_space(column.name) : column.name,
+                       [&column](const TrajectoryRow &row) { return value_of(row, column); }});
+    if (dimension == 3)
+    {
+      const auto zero = [](const TrajectoryRow &) { return 0.; };
+      for (const char *name : {"head_z_m", "tail_tip_z_m"})
+        cells.push_back({name, zero});
+      cells.push_back({"head_qw", [](const TrajectoryRow &row) { return std::cos(row.head_angle_rad / 2.); }});
+      for (const char *name : {"head_qx", "head_qy"})
+        cells.push_back({name, zero});
+      cells.push_back({"head_qz", [](const TrajectoryRow &row) { return std::sin(row.head_angle_rad / 2.); }});
+    }
     csv_table(cells, trajectory).save(file);
   }
 
@@ -154,9 +176,11 @@ namespace swimtwin
     Trajectory     trajectory(table.n_rows());
     for (const Column &column : columns)
     {
-      if (column.may_be_missing && !table.has_column(column.name))
+      const std::string in_space = name_in_space(column.name);
+      const bool        is_whole = !table.has_column(column.name) && table.has_column(in_space);
+      if (column.may_be_missing && !is_whole && !table.has_column(column.name))
         continue;
-      const std::vector<double> values = table.column(column.name);
+      const std::vector<double> values = table.column(is_whole ? in_space : column.name);
       for (std::size_t i = 0; i < values.size(); ++i)
         set_value(trajectory[i], column, values[i]);
     }

@@ -8,8 +8,8 @@
 
 namespace swimtwin
 {
-  /// One instant (2D). Positions in m, angles in rad (unwrapped), powers per unit depth in W/m, forces in N/m, torque
-  /// in N.
+  /// One instant. Positions in m, angles in rad (unwrapped). In two dimensions powers are per unit depth in W/m, forces
+  /// in N/m, torques in N, as the names say; in three they are whole, in W, N and N m, and so are the names in files.
   struct TrajectoryRow
   {
     double time_s   = 0.;
@@ -94,8 +94,9 @@ namespace swimtwin
   /// The same with balances from the powers of the rows alone.
   void summarize_motion(const Trajectory &trajectory, double period_s, double initial_angle_rad, RunSummary &summary);
 
-  /// CSV with a header line of the field names above; the numbers read back the same. ComputationError for a number
-  /// that is not finite.
-  void       write_trajectory_csv(const std::filesystem::path &file, const Trajectory &trajectory);
+  /// CSV with a header line of the field names above; the numbers read back the same. In three dimensions units in
+  /// names are those of whole quantities, and z and the rotation as a unit quaternion are added, of a motion in the
+  /// plane of x and y. ComputationError for a number that is not finite.
+  void       write_trajectory_csv(const std::filesystem::path &file, const Trajectory &trajectory, int dimension = 2);
   Trajectory read_trajectory_csv(const std::filesystem::path &file);
 } // namespace swimtwin

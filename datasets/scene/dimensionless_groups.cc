@@ -68,14 +68,16 @@ namespace swimtwin
       return 0.;
     const auto   field = scene.field(0.25 * scene.time.period_s);
     const double L     = scene.body_length_m();
-    return scene.head.magnetization_A_m * scene.head.area_m2() * std::hypot(field[0], field[1]) * scene.time.period_s /
-           (scene.fluid->viscosity_Pa_s * L * L);
+    return scene.head.magnetization_A_m * scene.head.volume(scene.dimension) * std::hypot(field[0], field[1]) *
+           scene.time.period_s / (scene.fluid->viscosity_Pa_s * std::pow(L, scene.dimension));
   }
 
   MagneticSwing magnetic_swing(const Scene &scene)
   {
     if (!scene.fluid || scene.time.period_s <= 0.)
       return {};
+    if (scene.dimension == 3)
+      return {}; // not estimated yet
     const double pi = std::numbers::pi, L = scene.body_length_m(), group = magnetic_group(scene);
     const double mass =
         scene.head.density_kg_m3 * scene.head.area_m2() +
@@ -91,6 +93,8 @@ namespace swimtwin
   {
     const Tail  &tail = *scene.tail;
     const double h    = mean_height_m(tail);
+    if (scene.dimension == 3)
+      return young_modulus_Pa * std::pow(h / tail.length_m, 4) / (64. * viscosity_Pa_s * frequency_Hz);
     return young_modulus_Pa * std::pow(h / tail.length_m, 3) /
            (12. * (1. - tail.poisson_ratio * tail.poisson_ratio) * viscosity_Pa_s * frequency_Hz);
   }

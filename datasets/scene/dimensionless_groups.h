@@ -25,8 +25,9 @@ namespace swimtwin
   };
   MagneticSwing magnetic_swing(const Scene &scene);
 
-  /// Magnetic torque against the viscous torque of a turn per period: M A B / (mu f L^2), and the elastic group
-  /// E h^3 / (12 (1 - nu^2) mu f L^3) with the tail's mean height h. Zero where the scene lacks what they need.
+  /// Magnetic torque against the viscous torque of a turn per period: M A B / (mu f L^2), in space M V B / (mu f L^3);
+  /// and the elastic group E h^3 / (12 (1 - nu^2) mu f L^3) with the tail's mean height h, in space E h^4 / (64 mu f
+  /// L^4) (I / pi of a round section). Zero where the scene lacks what they need.
   double magnetic_group(const Scene &scene);
   double elastic_group(const Scene &scene);
   double elastic_group(const Scene &scene, double frequency_Hz, double viscosity_Pa_s, double young_modulus_Pa);

@@ -82,6 +82,12 @@ namespace swimtwin
   {
     if (!scene.fluid)
       return {};
+    if (scene.dimension == 3) // not measured yet: all is kept, but where the fluid follows at once
+    {
+      constexpr double at_once = 1e-3;
+      const double     share   = unsteady_group(scene, frequency_Hz, viscosity_Pa_s) > at_once ? 1. : 0.;
+      return {share, scene.tail ? share : 0., scene.head.is_free() ? share : 0.};
+    }
     // Net displacement without inertia comes from the tail's compliance, with it also from inertia: the ratio of both
     // is that of the unsteady group to the inverse of the elastic one; a tail so soft that it gives all it can leaves
     // the unsteady group alone. Factors: the reference swimmer from 0.1 to 3 Hz, at 1.52 and 0.15 Pa s, from 20 kPa to

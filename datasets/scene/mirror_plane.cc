@@ -114,6 +114,8 @@ namespace swimtwin
 
   MirrorPlane find_mirror_plane(const Scene &scene)
   {
+    if (scene.dimension == 3) // z = 0: bodies of revolution in planar fields
+      return {};
     MirrorPlane plane{why_missing(scene), {}};
     if (plane.exists())
       plane.doubt = why_doubtful(scene);

@@ -12,10 +12,19 @@ namespace swimtwin
     return shape == HeadShape::rectangle ? box : 0.25 * std::numbers::pi * box;
   }
 
-  double Head::polar_moment_m4() const
+  double Head::volume(const int dimension) const
   {
-    const double squares = size_m[0] * size_m[0] + size_m[1] * size_m[1];
-    return area_m2() * squares / (shape == HeadShape::rectangle ? 12. : 16.);
+    // An ellipse turned about x fills two thirds of the cylinder around it, a rectangle all of it.
+    const double cylinder = 0.25 * std::numbers::pi * size_m[0] * size_m[1] * size_m[1];
+    return dimension == 2 ? area_m2() : shape == HeadShape::rectangle ? cylinder : cylinder * 2. / 3.;
+  }
+
+  double Head::second_moment(const int dimension) const
+  {
+    const double xx = size_m[0] * size_m[0], yy = size_m[1] * size_m[1];
+    if (dimension == 2)
+      return area_m2() * (xx + yy) / (shape == HeadShape::rectangle ? 12. : 16.);
+    return volume(3) * (shape == HeadShape::rectangle ? xx / 12. + yy / 16. : (xx + yy) / 20.);
   }
 
   bool Domain::has_traction_free_wall() const

@@ -17,7 +17,7 @@ namespace swimtwin
   enum class TipShape { rounded, flat };
   enum class HeadMotion { free, fixed, prescribed };
   enum class MaterialModel { st_venant_kirchhoff, neo_hookean, rigid, prescribed };
-  enum class DomainShape { box, channel, disc, annulus };
+  enum class DomainShape { box, channel, disc, annulus, cylinder, sphere };
   enum class WallCondition { no_slip, traction_free, moving_wall, inflow };
   enum class InflowProfile { parabolic, uniform };
   enum class Inertia { automatic, none, full, chosen };
@@ -63,8 +63,9 @@ namespace swimtwin
   {
     DomainShape                 shape              = DomainShape::box;
     std::array<double, 2>       center_m           = {0., 0.};
-    std::array<double, 2>       size_m             = {0., 0.}; ///< box and channel: lengths along x and y
-    double                      radius_m           = 0.;       ///< disc and annulus: outer radius
+    std::array<double, 2>       size_m             = {0., 0.}; ///< box and channel: lengths along x and y; cylinder: x
+    double                      size_z_m           = 0.;       ///< box and channel in three dimensions
+    double                      radius_m           = 0.;       ///< disc and annulus: outer radius; cylinder, sphere
     double                      inner_radius_m     = 0.;       ///< annulus; its inner circle shares the centre
     bool                        moves_with_swimmer = false;    ///< disc only: it keeps its place relative to the head
     std::map<std::string, Wall> walls; ///< complete after reading: every wall of the shape has its entry
@@ -101,10 +102,12 @@ namespace swimtwin
     // The head is rigid: accepted and kept, not used.
     std::optional<double> young_modulus_Pa, poisson_ratio;
 
-    /// Area (m^2) of the shape.
+    /// Area (m^2) of the shape in the plane.
     double area_m2() const;
-    /// int r^2 dA (m^4) about the centre: times the density, the moment of inertia.
-    double polar_moment_m4() const;
+    /// Volume: area (m^2) in two dimensions, in three that of the shape turned about x (m^3).
+    double volume(int dimension) const;
+    /// int (x^2 + y^2) dV about the centre: times the density, the moment of inertia about z.
+    double second_moment(int dimension) const;
   };
 
   /// A tail's given bending: its axis, inextensible and with rigid cross sections, has at the arc length s from the

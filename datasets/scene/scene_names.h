@@ -20,6 +20,22 @@ namespace swimtwin
         {{"rectangle", HeadShape::rectangle}, {"disc", HeadShape::disc}, {"ellipse", HeadShape::ellipse}}};
   };
 
+  /// The same shapes turned about x: what a head is called in three dimensions.
+  inline constexpr std::array<std::pair<std::string_view, HeadShape>, 3> head_shapes_in_space{
+      {{"cylinder", HeadShape::rectangle}, {"sphere", HeadShape::disc}, {"ellipsoid", HeadShape::ellipse}}};
+
+  /// The shapes that a domain may have in the plane, and in space.
+  inline constexpr std::array<std::pair<std::string_view, DomainShape>, 4> domain_shapes_in_plane{
+      {{"box", DomainShape::box},
+       {"channel", DomainShape::channel},
+       {"disc", DomainShape::disc},
+       {"annulus", DomainShape::annulus}}};
+  inline constexpr std::array<std::pair<std::string_view, DomainShape>, 4> domain_shapes_in_space{
+      {{"box", DomainShape::box},
+       {"channel", DomainShape::channel},
+       {"cylinder", DomainShape::cylinder},
+       {"sphere", DomainShape::sphere}}};
+
   template <>
   struct Names<TipShape>
   {
@@ -40,10 +56,12 @@ namespace swimtwin
   template <>
   struct Names<DomainShape>
   {
-    static constexpr std::array<std::pair<std::string_view, DomainShape>, 4> list{{{"box", DomainShape::box},
+    static constexpr std::array<std::pair<std::string_view, DomainShape>, 6> list{{{"box", DomainShape::box},
                                                                                    {"channel", DomainShape::channel},
                                                                                    {"disc", DomainShape::disc},
-                                                                                   {"annulus", DomainShape::annulus}}};
+                                                                                   {"annulus", DomainShape::annulus},
+                                                                                   {"cylinder", DomainShape::cylinder},
+                                                                                   {"sphere", DomainShape::sphere}}};
   };
 
   template <>

@@ -75,8 +75,14 @@ namespace swimtwin
       return table.present() ? std::optional(fluid) : std::nullopt;
     }
 
-    std::vector<std::string> wall_names(const DomainShape shape)
+    std::vector<std::string> wall_names(const DomainShape shape, const int dimension)
     {
+      if (shape == DomainShape::sphere)
+        return {"outer"};
+      if (shape == DomainShape::cylinder)
+        return {"left", "right", "outer"};
+      if (dimension == 3)
+        return {"left", "right", "bottom", "top", "front", "back"};
       if (shape == DomainShape::disc)
         return {"outer"};
       if (shape == DomainShape::annulus)
@@ -86,8 +92,9 @@ namespace swimtwin
 
     Wall default_wall(const DomainShape shape, const std::string &name)
     {
-      Wall wall;
-      if (shape == DomainShape::channel && (name == "left" || name == "right"))
+      Wall       wall;
+      const bool is_open = shape == DomainShape::channel || shape == DomainShape::cylinder;
+      if (is_open && (name == "left" || name == "right"))
         wall.condition = WallCondition::traction_free;
       return wall;
     }
@@ -108,11 +115,11 @@ namespace swimtwin
       table.finish();
     }
 
-    std::map<std::string, Wall> read_walls(const TomlDocument &document, const DomainShape shape)
+    std::map<std::string, Wall> read_walls(const TomlDocument &document, const DomainShape shape, const int dimension)
     {
       std::map<std::string, Wall> walls;
       TomlTable                   table(document, "domain.walls");
-      for (const std::string &name : wall_names(shape))
+      for (const std::string &name : wall_names(shape, dimension))
       {
         walls[name] = default_wall(shape, name);
         read_wall(document, table, name, walls[name]);
@@ -121,13 +128,25 @@ namespace swimtwin
       return walls;
     }
 
-    std::optional<Domain> read_domain(const TomlDocument &document)
+    std::optional<Domain> read_domain(const TomlDocument &document, const int dimension)
     {
-      TomlTable table(document, "domain");
-      Domain    domain;
-      read_choice(table, "shape", domain.shape, Need::required);
+      TomlTable             table(document, "domain");
+      Domain                domain;
+      std::array<double, 3> size_m{0., 0., 0.};
+      if (dimension == 3)
+        table.choice("shape", Need::required, domain_shapes_in_space, domain.shape);
+      else
+        table.choice("shape", Need::required, domain_shapes_in_plane, domain.shape);
       table.pair("center_m", optional("m", any_number), domain.center_m);
-      table.pair("size_m", optional("m"), domain.size_m);
+      if (dimension == 3)
+      {
+        table.triple("size_m", optional("m"), size_m);
+        table.number("length_m", optional("m"), size_m[0]);
+        domain.size_m   = {size_m[0], size_m[1]};
+        domain.size_z_m = size_m[2];
+      }
+      else
+        table.pair("size_m", optional("m"), domain.size_m);
       table.number("radius_m", optional("m"), domain.radius_m);
       table.number("inner_radius_m", optional("m"), domain.inner_radius_m);
       table.flag("moves_with_swimmer", domain.moves_with_swimmer);
@@ -160,14 +179,17 @@ namespace swimtwin
       return wave;
     }
 
-    Head read_head(const TomlDocument &document)
+    Head read_head(const TomlDocument &document, const int dimension)
     {
       if (document.find("head") == nullptr)
         throw InputError(document.where("") + ": the table [head] is missing; every swimmer has a rigid head.");
       TomlTable table(document, "head");
       Head      head;
       double    diameter_m = 0.;
-      read_choice(table, "shape", head.shape, Need::required);
+      if (dimension == 3)
+        table.choice("shape", Need::required, head_shapes_in_space, head.shape);
+      else
+        read_choice(table, "shape", head.shape, Need::required);
       table.pair("size_m", optional("m"), head.size_m);
       table.number("diameter_m", optional("m"), diameter_m);
       table.pair("center_m", optional("m", any_number), head.center_m);
@@ -309,19 +331,22 @@ namespace swimtwin
 
     double smallest_extent_m(const Domain &domain)
     {
-      if (domain.shape == DomainShape::disc || domain.shape == DomainShape::annulus)
+      if (domain.shape == DomainShape::cylinder)
+        return std::min(domain.size_m[0], 2. * domain.radius_m);
+      if (domain.shape == DomainShape::disc || domain.shape == DomainShape::annulus ||
+          domain.shape == DomainShape::sphere)
         return domain.inner_radius_m > 0. ? domain.radius_m - domain.inner_radius_m : 2. * domain.radius_m;
       return std::min(domain.size_m[0], domain.size_m[1]);
     }
 
-    /// Mesh sizes of a scene that gives none: 60 elements along the body, 4 times finer at corners, 8 across the
-    /// domain.
+    /// Mesh sizes of a scene that gives none: 60 elements along the body (20 in space), 4 times finer at corners
+    /// (twice), 8 across the domain.
     void set_default_mesh_sizes(const Scene &scene, const TomlTable &table, Numerics &numerics)
     {
       if (!table.has("mesh_size_m"))
-        numerics.mesh_size_m = scene.body_length_m() / 60.;
+        numerics.mesh_size_m = scene.body_length_m() / (scene.dimension == 3 ? 20. : 60.);
       if (!table.has("mesh_size_corner_m"))
-        numerics.mesh_size_corner_m = numerics.mesh_size_m / 4.;
+        numerics.mesh_size_corner_m = numerics.mesh_size_m / (scene.dimension == 3 ? 2. : 4.);
       if (!table.has("mesh_size_far_m"))
         numerics.mesh_size_far_m =
             std::max(numerics.mesh_size_m, scene.domain ? smallest_extent_m(*scene.domain) / 8. : 0.);
@@ -386,13 +411,13 @@ namespace swimtwin
     scene.dimension = read_top_level(document);
     check_dimension(document, scene.dimension);
     scene.fluid  = read_fluid(document);
-    scene.domain = read_domain(document);
-    scene.head   = read_head(document);
+    scene.domain = read_domain(document, scene.dimension);
+    scene.head   = read_head(document, scene.dimension);
     scene.tail   = read_tail(document);
     check_shape_entries(document, scene);
     check_motion_entries(document, scene);
     if (scene.domain)
-      scene.domain->walls = read_walls(document, scene.domain->shape);
+      scene.domain->walls = read_walls(document, scene.domain->shape, scene.dimension);
     scene.field    = read_field(document, std::filesystem::path(name).parent_path());
     scene.gravity  = read_gravity(document);
     scene.time     = read_time(document, driven_period_s(scene));

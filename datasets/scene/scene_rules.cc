@@ -36,11 +36,13 @@ namespace swimtwin
         document.refuse(table, key, reason);
     }
 
-    void check_head_entries(const TomlDocument &document, const Head &head)
+    void check_head_entries(const TomlDocument &document, const Head &head, const int dimension)
     {
       const bool        disc  = head.shape == HeadShape::disc;
       const std::string other = disc ? "size_m" : "diameter_m", needed = disc ? "diameter_m" : "size_m";
-      const std::string shape(to_string(head.shape));
+      const auto        in_space = std::find_if(head_shapes_in_space.begin(), head_shapes_in_space.end(),
+                                                [&](const auto &name) { return name.second == head.shape; });
+      const std::string shape(dimension == 3 ? in_space->first : to_string(head.shape));
       refuse_entry(document, "head", other, fmt::format("does not belong to the shape {}; give {}.", shape, needed));
       need_entry(document, "head", needed, fmt::format("the shape {} needs it, in m", shape));
     }
@@ -57,6 +59,7 @@ namespace swimtwin
           refuse_entry(document, "domain", key, fmt::format("does not belong to the shape {}; remove it.", shape));
       };
       check("size_m", straight);
+      check("length_m", domain.shape == DomainShape::cylinder);
       check("radius_m", !straight);
       check("inner_radius_m", annulus);
       if (annulus && domain.inner_radius_m >= domain.radius_m)
@@ -94,6 +97,25 @@ namespace swimtwin
     }
 
     /// What a shape or a head that is given does not go with.
+    /// Motions in space are planar so far: the mirror image of everything at z = 0 is there, too.
+    void check_space(const TomlDocument &document, const Scene &scene)
+    {
+      if (scene.dimension != 3)
+        return;
+      const auto &samples = scene.field.b_T();
+      if (std::any_of(samples.begin(), samples.end(), [](const auto &b) { return b[2] != 0.; }))
+        document.refuse(
+            "field", "program",
+            "has a component bz_T, which turns the swimmer out of the plane; in three dimensions motions are "
+            "planar so far: set it to zero.");
+      if (scene.numerics.coupling == CouplingScheme::fixed_point)
+        document.refuse("numerics", "coupling", "cannot be \"fixed-point\" in three dimensions; use \"monolithic\".");
+      if (scene.numerics.mirror_meshes)
+        document.refuse("numerics", "mirror_meshes", "is for two dimensions; remove it.");
+      if (scene.domain && scene.domain->moves_with_swimmer && scene.domain->shape != DomainShape::sphere)
+        document.refuse("domain", "moves_with_swimmer", "is for the shape sphere only; remove it, or use a sphere.");
+    }
+
     void check_given_motion(const TomlDocument &document, const Scene &scene)
     {
       const bool has_given_shape = scene.tail && scene.tail->is_driven();
@@ -187,7 +209,7 @@ namespace swimtwin
     {
       if (!domain.moves_with_swimmer)
         return;
-      if (domain.shape != DomainShape::disc)
+      if (domain.shape != DomainShape::disc && domain.shape != DomainShape::sphere)
         document.refuse("domain", "moves_with_swimmer", "is for the shape disc only; remove it, or use a disc.");
       if (domain.walls.at("outer").condition != WallCondition::no_slip)
         document.refuse("domain", "moves_with_swimmer",
@@ -320,15 +342,13 @@ namespace swimtwin
 
   void check_dimension(const TomlDocument &document, const int dimension)
   {
-    if (dimension == 3)
-      document.refuse("", "dimension", "is not available yet, 3D arrives later; use dimension = 2.");
-    if (dimension != 2)
-      document.refuse("", "dimension", "is not a space that swimmers live in; use dimension = 2.");
+    if (dimension != 2 && dimension != 3)
+      document.refuse("", "dimension", "is not a space that swimmers live in; use 2 or 3.");
   }
 
   void check_shape_entries(const TomlDocument &document, const Scene &scene)
   {
-    check_head_entries(document, scene.head);
+    check_head_entries(document, scene.head, scene.dimension);
     if (scene.domain)
       check_domain_entries(document, *scene.domain);
   }
@@ -405,6 +425,7 @@ namespace swimtwin
     check_inertia(document, scene);
     check_steady(document, scene);
     check_given_motion(document, scene);
+    check_space(document, scene);
     if (scene.tail)
       check_tail(document, scene.head, *scene.tail);
     if (scene.domain)

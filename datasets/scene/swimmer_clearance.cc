@@ -73,6 +73,11 @@ namespace swimtwin
         const double a = 0.5 * domain.size_m[0], b = 0.5 * domain.size_m[1];
         return {{"left", a + dx}, {"right", a - dx}, {"bottom", b + dy}, {"top", b - dy}};
       }
+      if (domain.shape == DomainShape::cylinder)
+      {
+        const double a = 0.5 * domain.size_m[0];
+        return {{"left", a + dx}, {"right", a - dx}, {"outer", domain.radius_m - std::abs(dy)}};
+      }
       std::vector<Clearance> distances{{"outer", domain.radius_m - std::hypot(dx, dy)}};
       if (domain.shape == DomainShape::annulus)
         distances.push_back({"inner", std::hypot(dx, dy) - domain.inner_radius_m});

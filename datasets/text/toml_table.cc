@@ -95,14 +95,25 @@ namespace swimtwin
 
   void TomlTable::pair(const std::string &key, const NumberRule &rule, std::array<double, 2> &target)
   {
-    const std::string expected = fmt::format("an array of two numbers [x, y]{}", in_unit(rule.unit));
+    list(key, rule, "an array of two numbers [x, y]", target.data(), target.size());
+  }
+
+  void TomlTable::triple(const std::string &key, const NumberRule &rule, std::array<double, 3> &target)
+  {
+    list(key, rule, "an array of three numbers [x, y, z]", target.data(), target.size());
+  }
+
+  void TomlTable::list(const std::string &key, const NumberRule &rule, const std::string &shape, double *target,
+                       const std::size_t size)
+  {
+    const std::string expected = shape + in_unit(rule.unit);
     const toml::node *node     = entry(key, rule.need, expected);
     if (node == nullptr)
       return;
     const toml::array *array = node->as_array();
-    if (array == nullptr || array->size() != 2)
+    if (array == nullptr || array->size() != size)
       return wrong_type(key, expected);
-    for (std::size_t i = 0; i < 2; ++i)
+    for (std::size_t i = 0; i < size; ++i)
     {
       const std::optional<double> value = read_number(key, *array->get(i), rule);
       if (!value)

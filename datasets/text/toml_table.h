@@ -53,6 +53,8 @@ namespace swimtwin
     void number(const std::string &key, const NumberRule &rule, std::optional<double> &target);
     /// An array of two numbers.
     void pair(const std::string &key, const NumberRule &rule, std::array<double, 2> &target);
+    /// Of three.
+    void triple(const std::string &key, const NumberRule &rule, std::array<double, 3> &target);
     void integer(const std::string &key, const NumberRule &rule, int &target);
     /// A whole number, or an array of at least one.
     void integers(const std::string &key, const NumberRule &rule, std::vector<int> &target);
@@ -89,8 +91,10 @@ namespace swimtwin
     std::vector<std::string> problems() const;
 
   private:
-    const toml::node          *entry(const std::string &key, Need need, const std::string &expected);
-    std::optional<double>      read_number(const std::string &key, const toml::node &node, const NumberRule &rule);
+    void                  list(const std::string &key, const NumberRule &rule, const std::string &shape, double *target,
+                               std::size_t size);
+    const toml::node     *entry(const std::string &key, Need need, const std::string &expected);
+    std::optional<double> read_number(const std::string &key, const toml::node &node, const NumberRule &rule);
     std::optional<std::size_t> choose(const std::string &key, Need need, const std::vector<std::string> &words);
     std::optional<int>         read_integer(const std::string &key, const toml::node &node, const NumberRule &rule);
     std::string                advice_for(const std::string &unknown, const toml::node &node) const;

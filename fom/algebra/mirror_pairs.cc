@@ -48,12 +48,12 @@ namespace swimtwin
       if (is_image(node))
       {
         for (unsigned int c = 0; c < dim; ++c)
-          map.reflect(row(node, c), row(original, c), c == 1 ? -1. : 1.);
+          map.reflect(row(node, c), row(original, c), c == dim - 1 ? -1. : 1.);
         if (with_pressure && node < n_vertices_)
           map.reflect(first_row + numbering.pressure_index(node), first_row + numbering.pressure_index(original), 1.);
       }
       else if (image_[node] == node)
-        map.impose(row(node, 1));
+        map.impose(row(node, dim - 1));
     }
   }
 
@@ -67,7 +67,7 @@ namespace swimtwin
         continue;
       for (unsigned int c = 0; c < dim; ++c)
       {
-        const double sign  = c == 1 ? -1. : 1.;
+        const double sign  = c == dim - 1 ? -1. : 1.;
         double      &here  = force[numbering.vector_index(node, c)];
         double      &there = force[numbering.vector_index(image, c)];
         there              = image == node ? here + sign * here : sign * here;

@@ -52,7 +52,20 @@ namespace swimtwin
         sign_(imposed.size(), 1.), rotation_(unit_symmetric_tensor<dim>())
   {
     for (int k = 0; k < n_rigid<dim>; ++k)
+    {
       kind_[head_row(k)] = Kind::head;
+      head_components_.push_back(k);
+    }
+  }
+
+  template <int dim>
+  std::optional<unsigned int> MotionMap<dim>::head_unknown(const int component) const
+  {
+    if (head_is_free_)
+      for (unsigned int i = 0; i < head_components_.size(); ++i)
+        if (head_components_[i] == component)
+          return first_head_unknown() + i;
+    return std::nullopt;
   }
 
   template <int dim>
@@ -105,13 +118,13 @@ namespace swimtwin
     case Kind::imposed:
       break;
     case Kind::head:
-      if (const unsigned int k = row - head_row(0); k < n_head_unknowns())
-        terms_.push_back({first_head_unknown() + k, k < dim ? factor : factor / length_scale_});
+      if (const int k = row - head_row(0); const auto unknown = head_unknown(k))
+        terms_.push_back({*unknown, k < dim ? factor : factor / length_scale_});
       break;
     case Kind::on_head: {
       const HeadRow &on_head = head_rows_[head_row_of_row_[row]];
-      if (on_head.component < n_head_unknowns())
-        terms_.push_back({first_head_unknown() + on_head.component, factor});
+      if (const auto unknown = head_unknown(on_head.component))
+        terms_.push_back({*unknown, factor});
       append_rotation(on_head, factor);
       break;
     }
@@ -130,12 +143,13 @@ namespace swimtwin
   void MotionMap<dim>::append_rotation(const HeadRow &row, const double factor)
   {
     const Tensor<1, dim> r = rotation_ * row.X / length_scale_;
-    for (unsigned int k = dim; k < n_head_unknowns(); ++k)
-    {
-      AngularVelocity<dim> axis;
-      axis[k - dim] = factor;
-      terms_.push_back({first_head_unknown() + k, rotational_velocity<dim>(axis, r)[row.component]});
-    }
+    for (int k = 0; k < n_rotations<dim>; ++k)
+      if (const auto unknown = head_unknown(dim + k))
+      {
+        AngularVelocity<dim> axis;
+        axis[k] = factor;
+        terms_.push_back({*unknown, rotational_velocity<dim>(axis, r)[row.component]});
+      }
   }
 
   template <int dim>

@@ -69,8 +69,9 @@ namespace swimtwin
     void tie(unsigned int row, std::vector<unsigned int> masters);
     /// The row mirrors another one: it equals `sign` times that. What was imposed before stays imposed.
     void reflect(unsigned int row, unsigned int original, double sign);
-    /// A free head moves along x and does not turn: one unknown.
-    void keep_head_on_axis() { head_stays_on_axis_ = true; }
+    /// Of a free head's velocities (translations, then rotations) only these, in their order, are unknowns; the others
+    /// are zero.
+    void keep_head_to(std::vector<int> components) { head_components_ = std::move(components); }
 
     /// Number the unknowns. `owner` tells the rank of each row; a free head belongs to the last rank.
     void close(const std::vector<unsigned int> &owner, bool head_is_free, MPI_Comm communicator);
@@ -90,8 +91,11 @@ namespace swimtwin
     unsigned int first_owned() const { return first_owned_; }
     unsigned int last_owned() const { return last_owned_; }
     bool         head_is_free() const { return head_is_free_; }
-    /// Of the velocities U (then omega) of the head, the first so many are unknowns.
-    unsigned int n_head_unknowns() const { return !head_is_free_ ? 0 : head_stays_on_axis_ ? 1 : n_rigid<dim>; }
+    unsigned int n_head_unknowns() const { return head_is_free_ ? head_components_.size() : 0; }
+    /// Which of the head's velocities (U, then omega) its i-th unknown is; rotations times the length scale.
+    int head_component(const unsigned int i) const { return head_components_[i]; }
+    /// The unknown of one of them; none if it is zero or given.
+    std::optional<unsigned int> head_unknown(int component) const;
     /// Row of the head's k-th velocity: translations, then rotations.
     unsigned int head_row(const unsigned int k) const { return n_rows() - n_rigid<dim> + k; }
     unsigned int first_head_unknown() const { return n_unknowns_ - n_head_unknowns(); }
@@ -129,7 +133,8 @@ namespace swimtwin
     std::vector<Term>                      terms_;
     std::vector<unsigned int>              first_term_;
     unsigned int                           n_unknowns_ = 0, first_owned_ = 0, last_owned_ = 0;
-    bool                                   head_is_free_ = false, head_stays_on_axis_ = false;
+    bool                                   head_is_free_ = false;
+    std::vector<int>                       head_components_;
     dealii::Tensor<2, dim>                 rotation_;
   };
 } // namespace swimtwin

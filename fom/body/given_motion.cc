@@ -63,8 +63,8 @@ namespace swimtwin
       result.pose.center[c] = head.center_m[c] + given.amplitude_m[c] * std::sin(phase);
       result.velocity[c]    = given.amplitude_m[c] * rate * std::cos(phase);
     }
-    result.pose.angle                  = head.angle_rad + given.angle_rad * std::sin(phase);
-    result.omega[n_rotations<dim> - 1] = given.angle_rad * rate * std::cos(phase); // about z
+    result.pose.angle                   = head.angle_rad + given.angle_rad * std::sin(phase);
+    result.omega[rotation_about_z<dim>] = given.angle_rad * rate * std::cos(phase); // about z
     return result;
   }
 
@@ -98,6 +98,9 @@ namespace swimtwin
   }
 
   template GivenPose<2>  given_pose<2>(const Head &, double);
+  template GivenPose<3>  given_pose<3>(const Head &, double);
   template NodalField<2> given_shape<2>(const Swimmer<2> &, double);
+  template NodalField<3> given_shape<3>(const Swimmer<3> &, double);
   template void          take_given_configuration<2>(const Swimmer<2> &, double, Configuration<2> &);
+  template void          take_given_configuration<3>(const Swimmer<3> &, double, Configuration<3> &);
 } // namespace swimtwin

@@ -24,7 +24,23 @@ namespace swimtwin
                   swimmer.pose_at_rest(), scene.numerics, communicator);
     }
 
-    bool is_at_rest(const Swimmer<2> &swimmer, const Configuration<2> &configuration)
+    /// Made by halves in any case; that it is its own image counts only where half of it is solved.
+    FluidMesh<3> make_mesh(const Swimmer<3> &swimmer, const Configuration<3> &configuration, const bool by_halves,
+                           const MPI_Comm communicator)
+    {
+      const Domain  &domain = *swimmer.scene().domain;
+      const Point<3> center(domain.center_m[0], domain.center_m[1], 0.);
+      const auto moved = [&] { return configuration.pose.to_laboratory(swimmer.pose_at_rest().to_head_frame(center)); };
+      FluidMesh<3> mesh =
+          make_fluid_mesh(domain, swimmer.body(), swimmer.surface(configuration),
+                          domain.moves_with_swimmer ? moved() : center, swimmer.scene().numerics, communicator);
+      if (!by_halves)
+        mesh.image_of_vertex.clear();
+      return mesh;
+    }
+
+    template <int dim>
+    bool is_at_rest(const Swimmer<dim> &swimmer, const Configuration<dim> &configuration)
     {
       const auto rest = swimmer.pose_at_rest();
       return configuration.pose.center == rest.center && configuration.pose.angle == rest.angle &&
@@ -40,8 +56,9 @@ namespace swimtwin
       throw InvertedElement(fmt::format("{}; lower [numerics] mesh_size_m = {} m", error.what(), numerics.mesh_size_m));
     }
 
-    FluidMesh<2> make_mesh_or_advise(const Swimmer<2> &swimmer, const Configuration<2> &configuration,
-                                     const bool by_halves, const MPI_Comm communicator)
+    template <int dim>
+    FluidMesh<dim> make_mesh_or_advise(const Swimmer<dim> &swimmer, const Configuration<dim> &configuration,
+                                       const bool by_halves, const MPI_Comm communicator)
     {
       try
       {
@@ -52,19 +69,23 @@ namespace swimtwin
         if (!is_at_rest(swimmer, configuration))
           say_remedy(error, swimmer.scene().numerics);
         refuse_mesh_size(swimmer.scene(), error, [&](const Scene &finer) {
-          const Swimmer<2>   body(finer, communicator);
-          const FluidMesh<2> mesh = make_mesh(body, body.configuration_at_rest(), by_halves, communicator);
-          return worst_quality(mesh.mesh, mesh.mesh.nodes) >= finer.numerics.remesh_quality;
+          const Swimmer<dim>   body(finer, communicator);
+          const FluidMesh<dim> mesh = make_mesh(body, body.configuration_at_rest(), by_halves, communicator);
+          return worst_quality<dim>(mesh.mesh, mesh.mesh.nodes) >= finer.numerics.remesh_quality;
         });
       }
     }
   } // namespace
 
-  FluidMesh<2> mesh_around(const Swimmer<2> &swimmer, const Configuration<2> &configuration,
-                           const MPI_Comm communicator)
+  template <int dim>
+  FluidMesh<dim> mesh_around(const Swimmer<dim> &swimmer, const Configuration<dim> &configuration,
+                             const MPI_Comm communicator)
   {
     return make_mesh_or_advise(swimmer, configuration, solves_half(swimmer.scene()), communicator);
   }
+
+  template FluidMesh<2> mesh_around<2>(const Swimmer<2> &, const Configuration<2> &, MPI_Comm);
+  template FluidMesh<3> mesh_around<3>(const Swimmer<3> &, const Configuration<3> &, MPI_Comm);
 
   FluidMesh<2> mesh_whole_around(const Swimmer<2> &swimmer, const Configuration<2> &configuration,
                                  const MPI_Comm communicator)

@@ -6,10 +6,12 @@
 
 namespace swimtwin
 {
-  /// Mesh the fluid around a configuration; where half of the scene is solved, the upper half, reflected. Collective.
-  /// At rest, the scene's settings are to blame for a mesh that fails: throws InputError that names the mesh size that
-  /// does it. Else throws ComputationError, InvertedElement if an element is inside out.
-  FluidMesh<2> mesh_around(const Swimmer<2> &swimmer, const Configuration<2> &configuration, MPI_Comm communicator);
+  /// Mesh the fluid around a configuration; where half of the scene is solved, and always in space, the upper half,
+  /// reflected. Collective. At rest, the scene's settings are to blame for a mesh that fails: throws InputError that
+  /// names the mesh size that does it. Else throws ComputationError, InvertedElement if an element is inside out.
+  template <int dim>
+  FluidMesh<dim> mesh_around(const Swimmer<dim> &swimmer, const Configuration<dim> &configuration,
+                             MPI_Comm communicator);
 
   /// The same, never by halves.
   FluidMesh<2> mesh_whole_around(const Swimmer<2> &swimmer, const Configuration<2> &configuration,

@@ -4,7 +4,7 @@
 #include <datasets/scene/scene.h>
 #include <fom/body/elastic_tail.h>
 #include <fom/geometry/rigid_pose.h>
-#include <fom/mesh/tail_mesh.h>
+#include <fom/mesh/body_mesh.h>
 
 #include <memory>
 
@@ -62,25 +62,26 @@ namespace swimtwin
   public:
     Swimmer(const Scene &scene, MPI_Comm communicator);
 
-    bool                    has_tail() const { return tail_ != nullptr; }
-    bool                    can_bend() const { return tail_ && scene_.tail->is_elastic(); }
-    const TailMesh<dim>    &tail() const { return *tail_; }
+    bool                    has_tail() const { return body_.tail != nullptr; }
+    bool                    can_bend() const { return has_tail() && scene_.tail->is_elastic(); }
+    const TailMesh<dim>    &tail() const { return *body_.tail; }
     const ElasticTail<dim> &elasticity() const { return *elasticity_; }
     bool                    is_clamped(const unsigned int tail_node) const { return is_clamped_[tail_node]; }
 
     /// Surface nodes: position at rest (head frame), and the tail's node there, or -1 on the bare head.
-    unsigned int               n_surface_nodes() const { return surface_at_rest_.size(); }
-    const dealii::Point<dim>  &surface_at_rest(const unsigned int k) const { return surface_at_rest_[k]; }
-    int                        tail_node(const unsigned int k) const { return tail_node_of_surface_[k]; }
-    const std::vector<double> &surface_mesh_size() const { return surface_mesh_size_; }
+    unsigned int               n_surface_nodes() const { return body_.surface.nodes.size(); }
+    const dealii::Point<dim>  &surface_at_rest(const unsigned int k) const { return body_.surface.nodes[k]; }
+    int                        tail_node(const unsigned int k) const { return body_.tail_node[k]; }
+    const std::vector<double> &surface_mesh_size() const { return body_.surface_size; }
+    const BodyMesh<dim>       &body() const { return body_; }
 
     RigidPose<dim>                  pose_at_rest() const;
     Configuration<dim>              configuration_at_rest() const;
     std::vector<dealii::Point<dim>> surface(const Configuration<dim> &configuration) const;
     std::vector<dealii::Point<dim>> tail_positions(const Configuration<dim> &configuration) const;
-    /// Area (m^2) inside the surface, its quadratic edges included, and the rate at which it changes (2D).
-    double area(const Configuration<dim> &configuration) const;
-    double area_rate(const Configuration<dim> &configuration, const Rates<dim> &rates) const;
+    /// Volume (m^3; m^2 in 2D) inside the surface, its quadratic faces included, and the rate at which it changes.
+    double volume(const Configuration<dim> &configuration) const;
+    double volume_rate(const Configuration<dim> &configuration, const Rates<dim> &rates) const;
     /// Laboratory velocities of the tail's nodes, and of the whole body.
     NodalField<dim>     tail_velocities(const Configuration<dim> &configuration, const Rates<dim> &rates) const;
     BodyVelocities<dim> velocities(const Configuration<dim> &configuration, const Rates<dim> &rates) const;
@@ -90,8 +91,8 @@ namespace swimtwin
     /// Force (N, per unit depth in 2D) that gives the tail's nodes an acceleration (m/s^2); empty without its inertia.
     NodalField<dim> inertial_force_on_tail(const NodalField<dim> &acceleration) const;
     /// Mass (kg, per unit depth in 2D) of head and its moment of inertia (kg m^2) about its centre.
-    double head_mass() const { return scene_.head.density_kg_m3 * scene_.head.area_m2(); }
-    double head_moment_of_inertia() const { return scene_.head.density_kg_m3 * scene_.head.polar_moment_m4(); }
+    double head_mass() const { return scene_.head.density_kg_m3 * scene_.head.volume(dim); }
+    double head_moment_of_inertia() const { return scene_.head.density_kg_m3 * scene_.head.second_moment(dim); }
     const InertiaTerms &inertia() const { return inertia_; }
 
     /// Distance between two configurations relative to the body: root mean square over the tail, or the head's.
@@ -117,17 +118,15 @@ namespace swimtwin
     const Scene &scene() const { return scene_; }
 
   private:
-    void                   make_tail(const SwimmerOutline &outline, MPI_Comm communicator);
-    void                   straighten_surface();
-    void                   weigh_surface();
-    dealii::Tensor<1, dim> effective_gravity(double body_density_kg_m3, double time_s) const;
+    static BodyMesh<dim>                make_body(const Scene &scene, MPI_Comm communicator);
+    void                                make_tail();
+    void                                weigh_surface();
+    std::vector<dealii::Tensor<1, dim>> surface_in_head_frame(const Configuration<dim> &configuration) const;
+    dealii::Tensor<1, dim>              effective_gravity(double body_density_kg_m3, double time_s) const;
 
     const Scene                      &scene_;
-    std::unique_ptr<TailMesh<dim>>    tail_;
+    BodyMesh<dim>                     body_;
     std::unique_ptr<ElasticTail<dim>> elasticity_;
-    std::vector<dealii::Point<dim>>   surface_at_rest_;
-    std::vector<int>                  tail_node_of_surface_;
-    std::vector<double>               surface_mesh_size_;
     std::vector<double>               surface_weight_; ///< share of the surface that is a node's
     dealii::Tensor<1, dim>            arm_at_rest_;
     std::vector<char>                 is_clamped_;

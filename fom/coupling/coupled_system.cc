@@ -78,9 +78,8 @@ namespace swimtwin
           condensation_.add_cell(rows, tail_pairs_.weight());
         }
     }
-    for (unsigned int k = 0; rank_ + 1 == n_ranks_ && k < map_.n_head_unknowns(); ++k)
-      if (k >= dim || swimmer_.inertia().head)
-        head_entries_.push_back(condensation_.add_entry(map_.first_head_unknown() + k));
+    for (unsigned int i = 0; rank_ + 1 == n_ranks_ && i < map_.n_head_unknowns(); ++i)
+      head_entries_.push_back(condensation_.add_entry(map_.first_head_unknown() + i));
     condensation_.lay_out(system_);
   }
 
@@ -154,7 +153,8 @@ namespace swimtwin
   template <int dim>
   void CoupledSystem<dim>::describe_mirror()
   {
-    map_.keep_head_on_axis();
+    // In the plane: along the line that is left of it in 2D, and in the plane of x and y in 3D.
+    map_.keep_head_to(dim == 2 ? std::vector<int>{0} : std::vector<int>{0, 1, dim + rotation_about_z<dim>});
     if (tail_numbering_)
     {
       tail_pairs_ = MirrorPairs<dim>(swimmer_.tail().mesh, swimmer_.tail().image_of_vertex);
@@ -199,9 +199,9 @@ namespace swimtwin
   template <int dim>
   bool CoupledSystem<dim>::field_outruns_step()
   {
-    return torque_by_rate_ > 0. && head_turns() &&
+    return torque_by_rate_ > 0. && rotation() &&
            is_outrun(torque_by_rate_ / (map_.length_scale() * map_.length_scale()),
-                     system_.response_to_unit_load(map_.first_head_unknown() + dim));
+                     system_.response_to_unit_load(*rotation()));
   }
 
   template <int dim>
@@ -307,15 +307,16 @@ namespace swimtwin
     if (rank_ + 1 != n_ranks_)
       return;
     const double         length = map_.length_scale();
-    const unsigned int   first  = map_.first_head_unknown();
     auto                &rhs    = condensation_.right_hand_side();
     const Tensor<1, dim> force  = swimmer_.force_on_head(point.time_s);
-    for (unsigned int c = 0; c < dim && c < map_.n_head_unknowns(); ++c)
-      rhs[first + c] += force[c];
-    if (!head_turns())
+    for (int c = 0; c < dim; ++c)
+      if (const auto unknown = map_.head_unknown(c))
+        rhs[*unknown] += force[c];
+    if (!rotation())
       return;
-    rhs[first + dim] += (torque - torque_by_rate_ * point.rates.omega[0]) / length;
-    condensation_.add_to_entry(head_entries_.back(), -torque_by_rate_ / (length * length));
+    rhs[*rotation()] += (torque - torque_by_rate_ * point.rates.omega[rotation_about_z<dim>]) / length;
+    condensation_.add_to_entry(head_entries_[*rotation() - map_.first_head_unknown()],
+                               -torque_by_rate_ / (length * length));
   }
 
   template <int dim>
@@ -328,10 +329,11 @@ namespace swimtwin
     const auto        &known = *point.known_velocities;
     auto              &rhs   = condensation_.right_hand_side();
     const unsigned int first = map_.first_head_unknown();
-    for (unsigned int k = 0; k < map_.n_head_unknowns(); ++k)
+    for (unsigned int i = 0; i < map_.n_head_unknowns(); ++i)
     {
-      condensation_.add_to_entry(head_entries_[k], k < dim ? mass : moment);
-      rhs[first + k] += k < dim ? mass * known.head[k] : moment * known.omega[k - dim] * length;
+      const int k = map_.head_component(i);
+      condensation_.add_to_entry(head_entries_[i], k < dim ? mass : moment);
+      rhs[first + i] += k < dim ? mass * known.head[k] : moment * known.omega[k - dim] * length;
     }
   }
 
@@ -359,11 +361,14 @@ namespace swimtwin
   std::vector<double> CoupledSystem<dim>::guess(const CoupledVelocities<dim> &v) const
   {
     std::vector<double> unknowns(map_.n_unknowns(), 0.);
-    for (unsigned int k = 0; k < map_.n_head_unknowns(); ++k)
-      unknowns[map_.first_head_unknown() + k] =
+    for (unsigned int i = 0; i < map_.n_head_unknowns(); ++i)
+    {
+      const int k = map_.head_component(i);
+      unknowns[map_.first_head_unknown() + i] =
           k < dim ? v.head_velocity[k] : v.head_omega[k - dim] * map_.length_scale();
+    }
     const auto set = [&](const unsigned int row, const double value) {
-      if (map_.end(row) - map_.begin(row) == 1)
+      if (map_.end(row) - map_.begin(row) == 1 && map_.begin(row)->coefficient != 0.)
         unknowns[map_.begin(row)->unknown] = value / map_.begin(row)->coefficient;
     };
     for (unsigned int i = 0; fluid_ && fluid_->inertia().of_fluid() && i < fluid_->mesh().n_nodes(); ++i)
@@ -377,4 +382,5 @@ namespace swimtwin
   }
 
   template class CoupledSystem<2>;
+  template class CoupledSystem<3>;
 } // namespace swimtwin

@@ -80,8 +80,9 @@ namespace swimtwin
     void           assemble_tail_inertia(const LinearizationPoint<dim> &point);
     void           assemble_head(const LinearizationPoint<dim> &point);
     void           assemble_head_inertia(const LinearizationPoint<dim> &point);
-    bool           head_turns() const { return map_.n_head_unknowns() > dim; }
-    unsigned int   tail_row(const unsigned int node, const unsigned int component) const
+    /// The head's unknown rotation about z, the one that the field acts on; none if it does not turn.
+    std::optional<unsigned int> rotation() const { return map_.head_unknown(dim + rotation_about_z<dim>); }
+    unsigned int                tail_row(const unsigned int node, const unsigned int component) const
     {
       return n_fluid_rows_ + tail_numbering_->vector_index(node, component);
     }

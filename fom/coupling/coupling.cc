@@ -65,8 +65,9 @@ namespace swimtwin
   template <int dim>
   std::unique_ptr<Coupling<dim>> make_coupling(const Swimmer<dim> &swimmer, const MPI_Comm communicator)
   {
-    if (is_partitioned(swimmer.scene()))
-      return std::make_unique<FixedPointCoupling<dim>>(swimmer, communicator);
+    if constexpr (dim == 2) // scenes in three dimensions are refused the other one
+      if (is_partitioned(swimmer.scene()))
+        return std::make_unique<FixedPointCoupling<dim>>(swimmer, communicator);
     return std::make_unique<MonolithicCoupling<dim>>(swimmer, communicator);
   }
 
@@ -101,5 +102,7 @@ namespace swimtwin
   }
 
   template Point<2> head_center<2>(const Swimmer<2> &, const TimeStep<2> &, const Configuration<2> &, const Rates<2> &);
+  template Point<3> head_center<3>(const Swimmer<3> &, const TimeStep<3> &, const Configuration<3> &, const Rates<3> &);
   template std::unique_ptr<Coupling<2>> make_coupling<2>(const Swimmer<2> &, MPI_Comm);
+  template std::unique_ptr<Coupling<3>> make_coupling<3>(const Swimmer<3> &, MPI_Comm);
 } // namespace swimtwin

@@ -48,7 +48,7 @@ namespace swimtwin
     const auto           x             = swimmer_.tail_positions(configuration);
     for (int c = 0; c < dim; ++c)
       load[c] = force_on_head[c];
-    load[dim] = torque - derivative * step.slope_weight * rates.omega[0];
+    load[dim] = torque - derivative * step.slope_weight * rates.omega[rotation_about_z<dim>];
     for (unsigned int a = 0; a < x.size(); ++a)
     {
       const Tensor<1, dim> f = swimmer_.load_on_tail_node(a, step.time_s), r = x[a] - configuration.pose.center;
@@ -121,7 +121,7 @@ namespace swimtwin
       std::vector<double> values = flow_->fluid_values(unknowns);
 
       Configuration<dim> image = configuration;
-      image.pose.angle         = step.known.pose.angle + step.slope_weight * rates.omega[0];
+      image.pose.angle         = step.known.pose.angle + step.slope_weight * rates.omega[rotation_about_z<dim>];
       image.pose.center        = head_center(swimmer_, step, image, rates);
       {
         const ScopedCpuTime tail_time(counts_.tail_cpu_s);

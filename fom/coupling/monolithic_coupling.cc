@@ -13,7 +13,7 @@ namespace swimtwin
   template <int dim>
   MonolithicCoupling<dim>::MonolithicCoupling(const Swimmer<dim> &swimmer, const MPI_Comm communicator)
       : swimmer_(swimmer), numerics_(swimmer.scene().numerics), communicator_(communicator),
-        solver_(communicator, solver_options(numerics_)), area_at_rest_(swimmer.area(swimmer.configuration_at_rest()))
+        solver_(communicator, solver_options(numerics_)), area_at_rest_(swimmer.volume(swimmer.configuration_at_rest()))
   {
     // The flow depends on the shape: in a time step weakly, in a steady state as strongly as it likes.
     if (swimmer.scene().time.is_steady && swimmer.scene().fluid && swimmer.can_bend())
@@ -53,8 +53,8 @@ namespace swimtwin
     const Scene &scene = swimmer_.scene();
     if (!scene.fluid || !swimmer_.can_bend() || scene.domain->has_traction_free_wall())
       return 0.;
-    return swimmer_.area_rate(configuration, rates) -
-           (swimmer_.area(configuration) - area_at_rest_) / step.slope_weight;
+    return swimmer_.volume_rate(configuration, rates) -
+           (swimmer_.volume(configuration) - area_at_rest_) / step.slope_weight;
   }
 
   template <int dim>
@@ -85,7 +85,7 @@ namespace swimtwin
     // leave out omega x R (X + d).
     const Tensor<2, dim> Rt = transpose(configuration.pose.rotation());
     rates.omega             = velocities.head_omega;
-    next.pose.angle         = known.pose.angle + slope * rates.omega[0];
+    next.pose.angle         = known.pose.angle + slope * rates.omega[rotation_about_z<dim>];
     rates.velocity          = next.pose.rotation() * (Rt * velocities.head_velocity);
     if (!swimmer_.has_tail())
     {
@@ -243,4 +243,5 @@ namespace swimtwin
   }
 
   template class MonolithicCoupling<2>;
+  template class MonolithicCoupling<3>;
 } // namespace swimtwin

@@ -129,5 +129,7 @@ namespace swimtwin
   }
 
   template void         remove_divergence<2>(const FluidDomain<2> &, FluidMotion<2> &);
+  template void         remove_divergence<3>(const FluidDomain<3> &, FluidMotion<3> &);
   template FluidPast<2> transfer_past<2>(const FluidDomain<2> &, const FluidDomain<2> &);
+  template FluidPast<3> transfer_past<3>(const FluidDomain<3> &, const FluidDomain<3> &);
 } // namespace swimtwin

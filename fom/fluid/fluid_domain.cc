@@ -284,4 +284,5 @@ namespace swimtwin
   }
 
   template class FluidDomain<2>;
+  template class FluidDomain<3>;
 } // namespace swimtwin

@@ -14,13 +14,21 @@ namespace swimtwin
     for (unsigned int k = 0; k < swimmer_.n_surface_nodes(); ++k)
       for (int c = 0; c < dim; ++c)
         map_.tie_to_head(fluid_.surface_row(k, c), c, swimmer_.surface_at_rest(k));
+    for (int k = 0; k < n_rigid<dim>; ++k)
+      motions_.push_back(k);
+    if (dim == 3 && !fluid.fluid_mesh().image_of_vertex.empty())
+    {
+      fluid_.describe_mirror(map_);
+      motions_ = {0, 1, dim + rotation_about_z<dim>};
+      map_.keep_head_to(motions_);
+    }
     std::vector<unsigned int> owner;
     for (unsigned int row = 0; row < fluid_.n_rows(); ++row)
       owner.push_back(fluid_.row_owner(row));
     map_.close(owner, head_is_free, communicator);
     fluid_.add_cells(condensation_);
     if (owns_head())
-      rotation_entry_ = condensation_.add_entry(map_.first_head_unknown() + dim);
+      rotation_entry_ = condensation_.add_entry(*rotation());
     condensation_.lay_out(solver_);
   }
 
@@ -52,9 +60,8 @@ namespace swimtwin
   void FluidRigidSystem<dim>::add_load(const Tensor<1, n_rigid<dim>> &load)
   {
     if (owns_head())
-      for (int k = 0; k < n_rigid<dim>; ++k)
-        condensation_.right_hand_side()[map_.first_head_unknown() + k] +=
-            k < dim ? load[k] : load[k] / map_.length_scale();
+      for (const int k : motions_)
+        condensation_.right_hand_side()[*map_.head_unknown(k)] += k < dim ? load[k] : load[k] / map_.length_scale();
   }
 
   template <int dim>
@@ -78,7 +85,7 @@ namespace swimtwin
   {
     return torque_by_rate_ > 0. && map_.head_is_free() &&
            is_outrun(torque_by_rate_ / (map_.length_scale() * map_.length_scale()),
-                     solver_.response_to_unit_load(map_.first_head_unknown() + dim));
+                     solver_.response_to_unit_load(*rotation()));
   }
 
   template <int dim>
@@ -86,8 +93,8 @@ namespace swimtwin
   {
     Tensor<1, n_rigid<dim>> velocity;
     if (map_.head_is_free())
-      for (int k = 0; k < n_rigid<dim>; ++k)
-        velocity[k] = unknowns[map_.first_head_unknown() + k] / (k < dim ? 1. : map_.length_scale());
+      for (const int k : motions_)
+        velocity[k] = unknowns[*map_.head_unknown(k)] / (k < dim ? 1. : map_.length_scale());
     return velocity;
   }
 
@@ -100,4 +107,5 @@ namespace swimtwin
   }
 
   template class FluidRigidSystem<2>;
+  template class FluidRigidSystem<3>;
 } // namespace swimtwin

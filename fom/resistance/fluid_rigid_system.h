@@ -24,7 +24,7 @@ namespace swimtwin
 
     /// Loads on a free head and on the whole body, before `solve`: force and torque about the head's centre.
     void add_load(const dealii::Tensor<1, n_rigid<dim>> &load);
-    /// Torque that grows with the body's rotation rate (2D).
+    /// Torque that grows with the body's rotation rate about z.
     void add_torque_by_rotation(double derivative);
 
     /// Solve from a guess. False if the linear solver failed. Collective.
@@ -33,6 +33,9 @@ namespace swimtwin
     /// As of the coupled system; with its shape rate given, the body resists more than with a tail that yields.
     bool field_outruns_step();
 
+    /// Which of U and omega a free head has, by their places there: all, or, on a mesh that is its own mirror image in
+    /// space, those in its plane.
+    const std::vector<int> &motions() const { return motions_; }
     /// U and omega; zero for a fixed head.
     dealii::Tensor<1, n_rigid<dim>> rigid_velocity(const std::vector<double> &unknowns) const;
     /// Fluid rows' values (velocities, scaled pressures), at the configuration last assembled.
@@ -40,6 +43,7 @@ namespace swimtwin
     unsigned int        n_unknowns() const { return map_.n_unknowns(); }
 
   private:
+    std::optional<unsigned int> rotation() const { return map_.head_unknown(dim + rotation_about_z<dim>); }
     bool owns_head() const { return map_.head_is_free() && map_.last_owned() == map_.n_unknowns(); }
 
     const Swimmer<dim> &swimmer_;
@@ -47,6 +51,7 @@ namespace swimtwin
     LinearSystem       &solver_;
     MotionMap<dim>      map_;
     Condensation<dim>   condensation_;
+    std::vector<int>    motions_;
     unsigned int        rotation_entry_ = 0;
     double              torque_by_rate_ = 0.;
   };

@@ -196,7 +196,7 @@ namespace swimtwin
     const unsigned int  n       = motions.size();
     std::vector<double> area_rates(n, 0.);
     for (unsigned int j = 0; j < modes.size(); ++j)
-      area_rates[n_rigid<dim> + j] = swimmer.area_rate(configuration, {{}, {}, modes[j]});
+      area_rates[n_rigid<dim> + j] = swimmer.volume_rate(configuration, {{}, {}, modes[j]});
     const bool          closed = !swimmer.scene().domain->has_traction_free_wall();
     SurfaceProblem<dim> problem(fluid, closed);
     const auto          responses = problem.respond(motions, area_rates);
@@ -235,7 +235,7 @@ namespace swimtwin
     const bool          closed = !swimmer.scene().domain->has_traction_free_wall();
     SurfaceProblem<dim> problem(fluid, closed);
     return problem.flow(surface_velocity(swimmer, configuration, rates),
-                        swimmer.has_tail() ? swimmer.area_rate(configuration, rates) : 0.);
+                        swimmer.has_tail() ? swimmer.volume_rate(configuration, rates) : 0.);
   }
 
   template struct MotionResistance<2>;

@@ -9,12 +9,24 @@ namespace swimtwin
 {
   using namespace dealii;
 
+  namespace
+  {
+    FluidMesh<2> mesh_for(const Swimmer<2> &swimmer, const Configuration<2> &configuration, const MPI_Comm communicator)
+    {
+      return mesh_whole_around(swimmer, configuration, communicator);
+    }
+    FluidMesh<3> mesh_for(const Swimmer<3> &swimmer, const Configuration<3> &configuration, const MPI_Comm communicator)
+    {
+      return mesh_around(swimmer, configuration, communicator);
+    }
+  } // namespace
+
   template <int dim>
   ResistanceResult<dim> compute_resistance(const Swimmer<dim> &swimmer, const Configuration<dim> &configuration,
                                            const MPI_Comm communicator)
   {
     const Scene     &scene = swimmer.scene();
-    FluidDomain<dim> fluid(scene, mesh_whole_around(swimmer, configuration, communicator), configuration.pose);
+    FluidDomain<dim> fluid(scene, mesh_for(swimmer, configuration, communicator), configuration.pose);
 
     LinearSolverOptions options;
     options.tolerance = 1e-13;
@@ -22,12 +34,13 @@ namespace swimtwin
     FluidRigidSystem<dim> system(swimmer, fluid, solver, true, communicator);
 
     // Unit loads give the columns of the mobility.
-    constexpr int      n = n_rigid<dim>;
+    const auto        &motions = system.motions();
+    const int          n       = motions.size();
     FullMatrix<double> mobility(n, n);
     for (int j = 0; j < n; ++j)
     {
-      Tensor<1, n> unit_load;
-      unit_load[j] = 1.;
+      Tensor<1, n_rigid<dim>> unit_load;
+      unit_load[motions[j]] = 1.;
       system.assemble(configuration, {}, std::nullopt);
       system.add_load(unit_load);
       std::vector<double> unknowns(system.n_unknowns(), 0.);
@@ -36,7 +49,7 @@ namespace swimtwin
             "the Stokes problem of the resistance matrix could not be solved: change [numerics] mesh_size_m");
       const auto velocity = system.rigid_velocity(unknowns);
       for (int i = 0; i < n; ++i)
-        mobility(i, j) = velocity[i];
+        mobility(i, j) = velocity[motions[i]];
     }
 
     ResistanceResult<dim> result{FullMatrix<double>(n, n), 0., system.n_unknowns(), fluid.mesh().n_cells()};
@@ -47,5 +60,7 @@ namespace swimtwin
   }
 
   template struct ResistanceResult<2>;
+  template struct ResistanceResult<3>;
   template ResistanceResult<2> compute_resistance<2>(const Swimmer<2> &, const Configuration<2> &, MPI_Comm);
+  template ResistanceResult<3> compute_resistance<3>(const Swimmer<3> &, const Configuration<3> &, MPI_Comm);
 } // namespace swimtwin

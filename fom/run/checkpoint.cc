@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -20,36 +21,28 @@ namespace swimtwin
   {
     const ArrayMeaning number{"1", "state of the run; see docs/file-formats.md"};
 
-    std::vector<double> flat(const NodalField<2> &field)
+    /// Components together; also of points, which are vectors.
+    template <typename Vector>
+    std::vector<double> flat(const std::vector<Vector> &field)
     {
       std::vector<double> values;
       for (const auto &v : field)
-        values.insert(values.end(), {v[0], v[1]});
+        values.insert(values.end(), v.begin_raw(), v.end_raw());
       return values;
     }
 
-    NodalField<2> nodal(const std::vector<double> &values)
+    template <typename Vector>
+    std::vector<Vector> vectors(const std::vector<double> &values)
     {
-      NodalField<2> field;
-      for (unsigned int i = 0; i + 1 < values.size(); i += 2)
-        field.push_back(Tensor<1, 2>({values[i], values[i + 1]}));
+      constexpr int       dim = Vector::dimension;
+      std::vector<Vector> field;
+      for (std::size_t i = 0; i + dim <= values.size(); i += dim)
+      {
+        auto &v = field.emplace_back();
+        for (int c = 0; c < dim; ++c)
+          v[c] = values[i + c];
+      }
       return field;
-    }
-
-    std::vector<double> flat(const std::vector<Point<2>> &points)
-    {
-      std::vector<double> values;
-      for (const auto &x : points)
-        values.insert(values.end(), {x[0], x[1]});
-      return values;
-    }
-
-    std::vector<Point<2>> points(const std::vector<double> &values)
-    {
-      std::vector<Point<2>> result;
-      for (unsigned int i = 0; i + 1 < values.size(); i += 2)
-        result.emplace_back(values[i], values[i + 1]);
-      return result;
     }
 
     std::vector<int> integers(const std::vector<unsigned int> &values)
@@ -138,36 +131,43 @@ namespace swimtwin
     }
 
     /// Time, pose and rates of an instant in a fixed order.
-    void write_instant(Hdf5Writer &file, const std::string &group, const Instant<2> &instant)
+    template <int dim>
+    void write_instant(Hdf5Writer &file, const std::string &group, const Instant<dim> &instant)
     {
       const auto &[time, configuration, rates] = instant;
-      const std::vector<double> numbers        = {time,
-                                                  configuration.pose.center[0],
-                                                  configuration.pose.center[1],
-                                                  configuration.pose.angle,
-                                                  rates.velocity[0],
-                                                  rates.velocity[1],
-                                                  rates.omega[0]};
+      std::vector<double> numbers              = {time};
+      const auto          append = [&](const auto &v) { numbers.insert(numbers.end(), v.begin_raw(), v.end_raw()); };
+      append(configuration.pose.center);
+      numbers.push_back(configuration.pose.angle);
+      append(rates.velocity);
+      append(rates.omega);
       file.write_vector(group + "/numbers", numbers, number);
       file.write_vector(group + "/shape_m", flat(configuration.shape), number);
       file.write_vector(group + "/shape_rate_m_s", flat(rates.shape_rate), number);
     }
 
-    Instant<2> read_instant(const Hdf5Reader &file, const std::string &group)
+    template <int dim>
+    Instant<dim> read_instant(const Hdf5Reader &file, const std::string &group)
     {
-      const auto numbers = read_numbers(file, group + "/numbers", 7);
-      Instant<2> instant;
-      instant.time_s                    = numbers[0];
-      instant.configuration.pose.center = Point<2>(numbers[1], numbers[2]);
-      instant.configuration.pose.angle  = numbers[3];
-      instant.rates.velocity            = Tensor<1, 2>({numbers[4], numbers[5]});
-      instant.rates.omega[0]            = numbers[6];
-      instant.configuration.shape       = nodal(file.read_vector(group + "/shape_m"));
-      instant.rates.shape_rate          = nodal(file.read_vector(group + "/shape_rate_m_s"));
+      const auto   numbers = read_numbers(file, group + "/numbers", 2 + 2 * dim + n_rotations<dim>);
+      Instant<dim> instant;
+      int          next   = 0;
+      const auto   number = [&] { return numbers.at(next++); };
+      instant.time_s      = number();
+      for (int c = 0; c < dim; ++c)
+        instant.configuration.pose.center[c] = number();
+      instant.configuration.pose.angle = number();
+      for (int c = 0; c < dim; ++c)
+        instant.rates.velocity[c] = number();
+      for (int k = 0; k < n_rotations<dim>; ++k)
+        instant.rates.omega[k] = number();
+      instant.configuration.shape = vectors<Tensor<1, dim>>(file.read_vector(group + "/shape_m"));
+      instant.rates.shape_rate    = vectors<Tensor<1, dim>>(file.read_vector(group + "/shape_rate_m_s"));
       return instant;
     }
 
-    void write_fluid_mesh(Hdf5Writer &file, const FluidMeshRecord<2> &mesh)
+    template <int dim>
+    void write_fluid_mesh(Hdf5Writer &file, const FluidMeshRecord<dim> &mesh)
     {
       std::vector<int> cells;
       for (const auto &cell : mesh.soup.cells)
@@ -185,14 +185,15 @@ namespace swimtwin
         file.write_vector("/fluid_mesh/image_of_vertex", integers(mesh.image_of_vertex), number);
     }
 
-    FluidMeshRecord<2> read_fluid_mesh(const Hdf5Reader &file)
+    template <int dim>
+    FluidMeshRecord<dim> read_fluid_mesh(const Hdf5Reader &file)
     {
-      FluidMeshRecord<2> mesh;
-      mesh.soup.vertices = points(file.read_vector("/fluid_mesh/vertices_m"));
+      FluidMeshRecord<dim> mesh;
+      mesh.soup.vertices = vectors<Point<dim>>(file.read_vector("/fluid_mesh/vertices_m"));
       const auto cells   = read_indices(file, "/fluid_mesh/cells", mesh.soup.vertices.size());
-      for (unsigned int i = 0; i + 2 < cells.size(); i += 3)
-        mesh.soup.cells.push_back({cells[i], cells[i + 1], cells[i + 2]});
-      mesh.nodes         = points(file.read_vector("/fluid_mesh/nodes_m"));
+      for (std::size_t i = 0; i + dim < cells.size(); i += dim + 1)
+        std::copy_n(cells.begin() + i, dim + 1, mesh.soup.cells.emplace_back().begin());
+      mesh.nodes         = vectors<Point<dim>>(file.read_vector("/fluid_mesh/nodes_m"));
       mesh.surface_nodes = read_indices(file, "/fluid_mesh/surface_nodes", mesh.nodes.size());
       mesh.wall_nodes    = read_indices(file, "/fluid_mesh/wall_nodes", mesh.nodes.size());
       std::istringstream names(file.read_text("/fluid_mesh/wall_names"));
@@ -270,7 +271,9 @@ namespace swimtwin
     }
   } // namespace
 
-  void write_checkpoint(const std::filesystem::path &path, const Checkpoint &checkpoint, const Provenance &provenance)
+  template <int dim>
+  void write_checkpoint(const std::filesystem::path &path, const Checkpoint<dim> &checkpoint,
+                        const Provenance &provenance)
   {
     Hdf5Writer  file;
     const auto &model = checkpoint.model;
@@ -306,7 +309,8 @@ namespace swimtwin
     file.save(path, Seal::appended);
   }
 
-  Checkpoint read_checkpoint(const std::filesystem::path &path, const Scene &scene)
+  template <int dim>
+  Checkpoint<dim> read_checkpoint(const std::filesystem::path &path, const Scene &scene)
   {
     const Hdf5Reader file = open_checkpoint(path);
     require_seal(path, remedy_for_checkpoint);
@@ -314,18 +318,19 @@ namespace swimtwin
       throw InputError(path.string() +
                        " belongs to another scene or to other --set values: resume with the scene it was "
                        "written for, or start afresh with --force");
-    Checkpoint checkpoint;
-    auto      &model = checkpoint.model;
+    Checkpoint<dim> checkpoint;
+    auto           &model = checkpoint.model;
     for_each_number(checkpoint, [&](const std::string &name, auto &value) { read_value(file, name, value); });
-    model.now                      = read_instant(file, "/now");
-    model.before                   = read_instant(file, "/before");
+    model.now                      = read_instant<dim>(file, "/now");
+    model.before                   = read_instant<dim>(file, "/before");
     model.coupling.unknowns        = file.read_vector("/unknowns");
     model.coupling.unknowns_before = file.read_vector("/unknowns_before");
     if (file.contains("/fluid_mesh"))
-      model.fluid_mesh = read_fluid_mesh(file);
+      model.fluid_mesh = read_fluid_mesh<dim>(file);
     for (const auto &[name, motion] : motions_of(model.fluid_past))
       if (file.contains(name))
-        *motion = {points(file.read_vector(name + "/positions_m")), nodal(file.read_vector(name + "/velocity_m_s"))};
+        *motion = {vectors<Point<dim>>(file.read_vector(name + "/positions_m")),
+                   vectors<Tensor<1, dim>>(file.read_vector(name + "/velocity_m_s"))};
     checkpoint.rows   = rows(read_rows(file, "/trajectory", static_cast<Eigen::Index>(numbers_of({}).size())));
     checkpoint.shapes = rows(file.read_matrix("/shapes"));
     if (file.contains("/powers_W_m"))
@@ -341,4 +346,9 @@ namespace swimtwin
       checkpoint.first_works = works_of(rows(read_rows(file, "/first_works_J_m", 3)));
     return checkpoint;
   }
+
+  template void          write_checkpoint<2>(const std::filesystem::path &, const Checkpoint<2> &, const Provenance &);
+  template void          write_checkpoint<3>(const std::filesystem::path &, const Checkpoint<3> &, const Provenance &);
+  template Checkpoint<2> read_checkpoint<2>(const std::filesystem::path &, const Scene &);
+  template Checkpoint<3> read_checkpoint<3>(const std::filesystem::path &, const Scene &);
 } // namespace swimtwin

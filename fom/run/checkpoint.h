@@ -9,18 +9,22 @@
 
 namespace swimtwin
 {
+  template <int dim>
   struct Checkpoint
   {
-    ModelState<2>                    model;
+    ModelState<dim>                  model;
     std::vector<std::vector<double>> rows, shapes; ///< of RunRecorder, like the works
     std::vector<IntervalWork>        first_works = {};
     double                           wall_time_s = 0., cpu_time_s = 0.;
   };
 
   /// With a checksum (see require_seal). Written to a temporary name, then renamed. Throws ComputationError.
-  void write_checkpoint(const std::filesystem::path &file, const Checkpoint &checkpoint, const Provenance &provenance);
+  template <int dim>
+  void write_checkpoint(const std::filesystem::path &file, const Checkpoint<dim> &checkpoint,
+                        const Provenance &provenance);
 
   /// Throws InputError if the file is not a checkpoint, is not what its checksum was made of, or belongs to another
   /// scene (by hash).
-  Checkpoint read_checkpoint(const std::filesystem::path &file, const Scene &scene);
+  template <int dim>
+  Checkpoint<dim> read_checkpoint(const std::filesystem::path &file, const Scene &scene);
 } // namespace swimtwin

@@ -16,59 +16,72 @@ namespace swimtwin
   namespace
   {
     /// A field to write, at every node of a mesh.
+    template <int dim>
     struct NodalData
     {
-      std::string                            vector_name;
-      const std::function<Tensor<1, 2>(int)> vector;
-      std::string                            scalar_name; ///< empty: no scalar
-      const std::function<double(int)>       scalar;      ///< at vertices; it is linear
+      std::string                              vector_name;
+      const std::function<Tensor<1, dim>(int)> vector;
+      std::string                              scalar_name; ///< empty: no scalar
+      const std::function<double(int)>         scalar;      ///< at vertices; it is linear
     };
 
-    /// A quadratic triangle in deal.II's form for output: rows of data are field components, then coordinates. Every
-    /// rank has the whole mesh and the whole solution, so that one can write without the others.
-    DataOutBase::Patch<2> make_patch(const std::array<unsigned int, n_cell_nodes<2>> &nodes,
-                                     const std::vector<Point<2>> &positions, const NodalData &data)
+    /// Vertices whose mean a node of a cell has in a linear field: itself, or the ends of its edge.
+    constexpr int ends_of_node[10][2] = {{0, 0}, {1, 1}, {2, 2}, {3, 3}, {0, 1},
+                                         {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
+    template <int dim>
+    const int *ends(const unsigned int node)
     {
-      const unsigned int    n_rows = data.scalar_name.empty() ? 4 : 5;
-      DataOutBase::Patch<2> patch;
-      patch.reference_cell       = ReferenceCells::Triangle;
+      return ends_of_node[node <= dim ? node : node + 3 - dim];
+    }
+
+    /// A quadratic simplex in deal.II's form for output: rows of data are field components, then coordinates. Every
+    /// rank has the whole mesh and the whole solution, so that one can write without the others.
+    template <int dim>
+    DataOutBase::Patch<dim> make_patch(const CellNodes<dim> &nodes, const std::vector<Point<dim>> &positions,
+                                       const NodalData<dim> &data)
+    {
+      const unsigned int      n_rows = data.scalar_name.empty() ? 2 * dim : 2 * dim + 1;
+      DataOutBase::Patch<dim> patch;
+      patch.reference_cell       = dim == 2 ? ReferenceCells::Triangle : ReferenceCells::Tetrahedron;
       patch.n_subdivisions       = 2;
       patch.points_are_available = true;
-      patch.data.reinit(n_rows, n_cell_nodes<2>);
-      for (unsigned int v = 0; v < 3; ++v)
+      patch.data.reinit(n_rows, n_cell_nodes<dim>);
+      for (unsigned int v = 0; v <= dim; ++v)
         patch.vertices[v] = positions[nodes[v]];
-      for (unsigned int a = 0; a < n_cell_nodes<2>; ++a)
+      for (unsigned int a = 0; a < n_cell_nodes<dim>; ++a)
       {
-        const Tensor<1, 2> vector = data.vector(nodes[a]);
-        for (unsigned int c = 0; c < 2; ++c)
+        const Tensor<1, dim> vector = data.vector(nodes[a]);
+        for (int c = 0; c < dim; ++c)
         {
-          patch.data(c, a)              = vector[c];
-          patch.data(n_rows - 2 + c, a) = positions[nodes[a]][c];
+          patch.data(c, a)                = vector[c];
+          patch.data(n_rows - dim + c, a) = positions[nodes[a]][c];
         }
-        if (!data.scalar_name.empty()) // mid-edge nodes 3, 4, 5 follow the vertices 0, 1, 2
-          patch.data(2, a) =
-              a < 3 ? data.scalar(nodes[a]) : .5 * (data.scalar(nodes[a - 3]) + data.scalar(nodes[(a - 2) % 3]));
+        if (!data.scalar_name.empty())
+          patch.data(dim, a) = .5 * (data.scalar(nodes[ends<dim>(a)[0]]) + data.scalar(nodes[ends<dim>(a)[1]]));
       }
       return patch;
     }
 
-    void write_vtu(const std::filesystem::path &file, const SimplexMesh<2> &mesh,
-                   const std::vector<Point<2>> &positions, const NodalData &data)
+    template <int dim>
+    void write_vtu(const std::filesystem::path &file, const SimplexMesh<dim> &mesh,
+                   const std::vector<Point<dim>> &positions, const NodalData<dim> &data)
     {
-      std::vector<DataOutBase::Patch<2>> patches;
+      std::vector<DataOutBase::Patch<dim>> patches;
       for (const auto &cell : mesh.cells)
       {
-        patches.push_back(make_patch(cell, positions, data));
+        patches.push_back(make_patch<dim>(cell, positions, data));
         patches.back().patch_index = patches.size() - 1;
       }
-      std::vector<std::string> names{data.vector_name, data.vector_name, data.scalar_name};
-      names.resize(data.scalar_name.empty() ? 2 : 3);
+      std::vector<std::string> names(dim, data.vector_name);
+      if (!data.scalar_name.empty())
+        names.push_back(data.scalar_name);
       DataOutBase::VtkFlags flags;
       flags.write_higher_order_cells = true;
       std::ostringstream text; // in memory first: a full disk is then noticed, and named, in one place
-      DataOutBase::write_vtu<2, 2>(patches, names,
-                                   {{0, 1, data.vector_name, DataComponentInterpretation::component_is_part_of_vector}},
-                                   flags, text);
+      DataOutBase::write_vtu<dim, dim>(
+          patches, names,
+          {{0, unsigned(dim - 1), data.vector_name, DataComponentInterpretation::component_is_part_of_vector}}, flags,
+          text);
       write_text_atomically(file, text.str());
     }
 
@@ -109,25 +122,30 @@ namespace swimtwin
     }
   }
 
-  FieldInstant instant_of(const FullOrderModel<2> &model)
+  template <int dim>
+  FieldInstant<dim> instant_of(const FullOrderModel<dim> &model)
   {
     return {model.now().time_s, model.swimmer(), model.now().configuration, model.fluid(),
             model.coupling().fluid_values()};
   }
 
-  void FieldOutput::write(const FieldInstant &instant, const unsigned int index)
+  template <int dim>
+  void FieldOutput::write(const FieldInstant<dim> &instant, const unsigned int index)
   {
     const std::string number = file_number(index);
     if (const auto &values = instant.fluid_values; !values.empty())
     {
-      const FluidDomain<2> &fluid     = *instant.fluid;
-      const auto           &numbering = fluid.numbering();
-      const std::string     file      = "fluid-" + number + ".vtu";
-      write_vtu(
+      const FluidDomain<dim> &fluid     = *instant.fluid;
+      const auto             &numbering = fluid.numbering();
+      const std::string       file      = "fluid-" + number + ".vtu";
+      write_vtu<dim>(
           folder_ / file, fluid.mesh(), fluid.positions(),
           {"velocity_m_s",
            [&](const int node) {
-             return Tensor<1, 2>({values[numbering.vector_index(node, 0)], values[numbering.vector_index(node, 1)]});
+             Tensor<1, dim> u;
+             for (int c = 0; c < dim; ++c)
+               u[c] = values[numbering.vector_index(node, c)];
+             return u;
            },
            "pressure_Pa",
            [&](const int vertex) { return fluid.pressure_scale() * values[numbering.pressure_index(vertex)]; }});
@@ -139,10 +157,15 @@ namespace swimtwin
       const auto        x    = instant.swimmer.tail_positions(instant.configuration);
       const auto        rest = instant.swimmer.tail_positions(instant.swimmer.configuration_at_rest());
       const std::string file = "tail-" + number + ".vtu";
-      write_vtu(folder_ / file, instant.swimmer.tail().mesh, x,
-                {"displacement_m", [&](const int node) { return x[node] - rest[node]; }, "", {}});
+      write_vtu<dim>(folder_ / file, instant.swimmer.tail().mesh, x,
+                     {"displacement_m", [&](const int node) { return x[node] - rest[node]; }, "", {}});
       tail_series_.emplace_back(instant.time_s, file);
       write_list("tail", tail_series_);
     }
   }
+
+  template FieldInstant<2> instant_of<2>(const FullOrderModel<2> &);
+  template FieldInstant<3> instant_of<3>(const FullOrderModel<3> &);
+  template void            FieldOutput::write<2>(const FieldInstant<2> &, unsigned int);
+  template void            FieldOutput::write<3>(const FieldInstant<3> &, unsigned int);
 } // namespace swimtwin

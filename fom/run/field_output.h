@@ -8,17 +8,19 @@
 namespace swimtwin
 {
   /// What there is to see at one instant. All but the swimmer's own may be missing.
+  template <int dim>
   struct FieldInstant
   {
-    double                  time_s = 0.;
-    const Swimmer<2>       &swimmer;
-    const Configuration<2> &configuration;
-    const FluidDomain<2>   *fluid        = nullptr;
-    std::vector<double>     fluid_values = {}; ///< of the fluid's rows; empty: the fluid is left out
+    double                    time_s = 0.;
+    const Swimmer<dim>       &swimmer;
+    const Configuration<dim> &configuration;
+    const FluidDomain<dim>   *fluid        = nullptr;
+    std::vector<double>       fluid_values = {}; ///< of the fluid's rows; empty: the fluid is left out
   };
 
   /// The model's present instant. Without the fluid at the start, before anything was solved.
-  FieldInstant instant_of(const FullOrderModel<2> &model);
+  template <int dim>
+  FieldInstant<dim> instant_of(const FullOrderModel<dim> &model);
 
   /// Writes fluid-NNNN.vtu (velocity_m_s, pressure_Pa) and tail-NNNN.vtu (displacement_m in the laboratory) with
   /// quadratic cells into a folder, and fluid.pvd, tail.pvd that name them with their times.
@@ -28,7 +30,8 @@ namespace swimtwin
     explicit FieldOutput(std::filesystem::path folder);
 
     /// Instant number `index`; one rank can do it without the others.
-    void write(const FieldInstant &instant, unsigned int index);
+    template <int dim>
+    void write(const FieldInstant<dim> &instant, unsigned int index);
 
     /// After a resume: the instants before `n_instants`, `interval_s` apart, are there already; what an interrupted run
     /// wrote after them is removed.

@@ -150,7 +150,10 @@ namespace swimtwin
           plan.skipped.push_back({"tail's inertia", "the tail is in equilibrium with its loads at every instant"});
         if (scene.fluid && scene.time.period_s > 0.)
           plan.numbers.push_back(
-              {"elastic group", fmt::format("E h^3 / (12 (1 - nu^2) mu f L^3) = {:.3g}", elastic_group(scene))});
+              {"elastic group",
+               fmt::format("{} = {:.3g}",
+                           scene.dimension == 3 ? "E h^4 / (64 mu f L^4)" : "E h^3 / (12 (1 - nu^2) mu f L^3)",
+                           elastic_group(scene))});
       }
       if (scene.head.is_driven())
         plan.skipped.push_back({"head's motion", "given; the force and torque that drive it are reported"});
@@ -163,7 +166,10 @@ namespace swimtwin
       if (!magnetic)
         plan.skipped.push_back({"magnetic terms", "no field, or nothing magnetised"});
       else if (scene.fluid && scene.head.magnetization_A_m != 0.)
-        plan.numbers.push_back({"magnetic group", fmt::format("M A B / (mu f L^2) = {:.3g}", magnetic_group(scene))});
+        plan.numbers.push_back(
+            {"magnetic group",
+             fmt::format("{} = {:.3g}", scene.dimension == 3 ? "M V B / (mu f L^3)" : "M A B / (mu f L^2)",
+                         magnetic_group(scene))});
     }
 
     void plan_mesh(const Scene &scene, RunPlan &plan)
@@ -207,7 +213,10 @@ namespace swimtwin
       const MirrorPlane plane = find_mirror_plane(scene);
       if (solves_half(scene))
       {
-        plan.skipped.push_back({"lower half", "the scene has a mirror plane: the upper half is solved and reflected"});
+        plan.skipped.push_back(
+            scene.dimension == 3
+                ? PlanItem{"half behind", "bodies of revolution in planar motion: z > 0 is solved and reflected"}
+                : PlanItem{"lower half", "the scene has a mirror plane: the upper half is solved and reflected"});
         if (const std::string warning = symmetry_warning(scene); !warning.empty())
           plan.warnings.push_back(warning);
       }
@@ -221,6 +230,31 @@ namespace swimtwin
       else
         plan.solved.push_back({"both halves", "no mirror plane: " + plane.missing});
     }
+    /// Mesh the scene at rest and count.
+    template <int dim>
+    void measure(const Scene &scene, const MPI_Comm communicator, RunPlan &plan)
+    {
+      const Swimmer<dim>                swimmer(scene, communicator);
+      std::unique_ptr<FluidDomain<dim>> fluid;
+      if (scene.fluid)
+      {
+        const auto rest = swimmer.configuration_at_rest();
+        fluid = std::make_unique<FluidDomain<dim>>(scene, mesh_around(swimmer, rest, communicator), rest.pose);
+        plan.n_fluid_cells = fluid->mesh().n_cells();
+        plan.mesh_quality  = fluid->quality();
+        if (plan.mesh_quality < scene.numerics.remesh_quality)
+          plan.warnings.push_back(fmt::format(
+              "the mesh at rest has an element of quality {:.2f}, below [numerics] remesh_quality = {}: the "
+              "flow is coarse "
+              "there, and the run remeshes when the quality has halved; lower mesh_growth or mesh_size_m",
+              plan.mesh_quality, scene.numerics.remesh_quality));
+      }
+      if (swimmer.has_tail())
+        plan.n_tail_cells = swimmer.tail().mesh.n_cells();
+      const auto coupling = make_coupling(swimmer, communicator);
+      coupling->use_fluid(fluid.get());
+      plan.n_unknowns = coupling->n_unknowns();
+    }
   } // namespace
 
   RunPlan plan_run(const Scene &scene, const MPI_Comm communicator)
@@ -233,26 +267,10 @@ namespace swimtwin
     if (scene.output.fields_per_period == 0)
       plan.skipped.push_back({"field output", "[output] fields_per_period = 0"});
 
-    const Swimmer<2>                swimmer(scene, communicator);
-    std::unique_ptr<FluidDomain<2>> fluid;
-    if (scene.fluid)
-    {
-      const auto rest    = swimmer.configuration_at_rest();
-      fluid              = std::make_unique<FluidDomain<2>>(scene, mesh_around(swimmer, rest, communicator), rest.pose);
-      plan.n_fluid_cells = fluid->mesh().n_cells();
-      plan.mesh_quality  = fluid->quality();
-      if (plan.mesh_quality < scene.numerics.remesh_quality)
-        plan.warnings.push_back(
-            fmt::format("the mesh at rest has an element of quality {:.2f}, below [numerics] remesh_quality = {}: the "
-                        "flow is coarse "
-                        "there, and the run remeshes when the quality has halved; lower mesh_growth or mesh_size_m",
-                        plan.mesh_quality, scene.numerics.remesh_quality));
-    }
-    if (swimmer.has_tail())
-      plan.n_tail_cells = swimmer.tail().mesh.n_cells();
-    const auto coupling = make_coupling(swimmer, communicator);
-    coupling->use_fluid(fluid.get());
-    plan.n_unknowns          = coupling->n_unknowns();
+    if (scene.dimension == 3)
+      measure<3>(scene, communicator, plan);
+    else
+      measure<2>(scene, communicator, plan);
     plan.estimated_time_s    = scene.time.n_steps() * iterations_per_step * seconds_per_iteration(plan.n_unknowns);
     plan.estimated_memory_MB = memory_MB(plan.n_unknowns);
     plan.is_extrapolated     = plan.n_unknowns > n_unknowns_measured;

@@ -19,18 +19,22 @@ namespace swimtwin
     constexpr unsigned int first_shape_entry = 7;
   } // namespace
 
-  bool RunRecorder::is_snapshot(const int grid_step) const
+  template <int dim>
+  bool RunRecorder<dim>::is_snapshot(const int grid_step) const
   {
     const int per_period = scene_.output.snapshots_per_period;
     return scene_.tail && per_period > 0 && grid_step % std::max(1, scene_.time.steps_per_period / per_period) == 0;
   }
 
-  void RunRecorder::note(const FullOrderModel<2> &model, const int grid_step)
+  template <int dim>
+  void RunRecorder<dim>::note(const FullOrderModel<dim> &model, const int grid_step)
   {
     const auto &[time, configuration, rates] = model.now();
     const auto         &pose                 = configuration.pose;
     const PowerBalance &balance              = model.balance();
     const auto          field                = scene_.field(time);
+    Tensor<1, dim>      back; // of the head
+    back[0] = scene_.head.size_m[0] / 2;
 
     TrajectoryRow row;
     row.time_s              = time;
@@ -39,7 +43,7 @@ namespace swimtwin
     row.head_angle_rad      = pose.angle;
     const auto tip          = model.swimmer().has_tail()
                                   ? model.swimmer().tail_positions(configuration)[model.swimmer().tail().axis_at_tip[2]]
-                                  : pose.to_laboratory(Tensor<1, 2>({scene_.head.size_m[0] / 2, 0.}));
+                                  : pose.to_laboratory(back);
     row.tail_tip_x_m        = tip[0];
     row.tail_tip_y_m        = tip[1];
     const double angle      = model.swimmer().tail_angle(configuration);
@@ -71,53 +75,56 @@ namespace swimtwin
     std::vector<double> shape{time, pose.center[0], pose.center[1], pose.angle, field[0], field[1], field[2]};
     for (const auto *nodal : {&configuration.shape, &rates.shape_rate})
       for (const auto &value : *nodal)
-        shape.insert(shape.end(), {value[0], value[1]});
+        shape.insert(shape.end(), value.begin_raw(), value.end_raw());
     shapes_.push_back(std::move(shape));
   }
 
-  SnapshotSet RunRecorder::snapshots(const Swimmer<2> &swimmer) const
+  template <int dim>
+  SnapshotSet RunRecorder<dim>::snapshots(const Swimmer<dim> &swimmer) const
   {
     const auto        &tail = swimmer.tail();
     const unsigned int n    = tail.mesh.n_nodes();
     SnapshotSet        set;
-    set.tail_nodes_m.resize(n, 2);
+    set.tail_nodes_m.resize(n, dim);
     for (unsigned int a = 0; a < n; ++a)
-      set.tail_nodes_m.row(a) << tail.mesh.nodes[a][0], tail.mesh.nodes[a][1];
-    set.tail_cells.resize(tail.mesh.n_cells(), 6);
+      for (int i = 0; i < dim; ++i)
+        set.tail_nodes_m(a, i) = tail.mesh.nodes[a][i];
+    set.tail_cells.resize(tail.mesh.n_cells(), n_cell_nodes<dim>);
     for (unsigned int c = 0; c < tail.mesh.n_cells(); ++c)
-      for (unsigned int a = 0; a < 6; ++a)
+      for (unsigned int a = 0; a < n_cell_nodes<dim>; ++a)
         set.tail_cells(c, a) = tail.mesh.cells[c][a];
     set.clamped_nodes.resize(tail.clamped_nodes.size());
     std::copy(tail.clamped_nodes.begin(), tail.clamped_nodes.end(), set.clamped_nodes.begin());
 
     std::vector<Eigen::Triplet<double>> mass;
     for (unsigned int c = 0; c < tail.mesh.n_cells(); ++c)
-      for (unsigned int a = 0; a < 6; ++a)
-        for (unsigned int b = 0; b < 6; ++b)
-          for (unsigned int i = 0; i < 2; ++i)
-            mass.emplace_back(2 * tail.mesh.cells[c][a] + i, 2 * tail.mesh.cells[c][b] + i,
+      for (unsigned int a = 0; a < n_cell_nodes<dim>; ++a)
+        for (unsigned int b = 0; b < n_cell_nodes<dim>; ++b)
+          for (int i = 0; i < dim; ++i)
+            mass.emplace_back(dim * tail.mesh.cells[c][a] + i, dim * tail.mesh.cells[c][b] + i,
                               swimmer.elasticity().cell_mass(c, a, b));
-    set.tail_mass_m2.resize(2 * n, 2 * n);
+    set.tail_mass_m2.resize(dim * n, dim * n);
     set.tail_mass_m2.setFromTriplets(mass.begin(), mass.end());
 
     const unsigned int m = shapes_.size();
     set.pose.resize(m, 3);
     set.field_T.resize(m, 3);
-    set.tail_displacement_m.resize(m, 2 * n);
-    set.tail_velocity_m_s.resize(m, 2 * n);
+    set.tail_displacement_m.resize(m, dim * n);
+    set.tail_velocity_m_s.resize(m, dim * n);
     for (unsigned int k = 0; k < m; ++k)
     {
       const double *entry = shapes_[k].data();
       set.time_s.push_back(entry[0]);
       set.pose.row(k)                = Eigen::RowVector3d(entry[1], entry[2], entry[3]);
       set.field_T.row(k)             = Eigen::RowVector3d(entry[4], entry[5], entry[6]);
-      set.tail_displacement_m.row(k) = Eigen::Map<const Eigen::RowVectorXd>(entry + first_shape_entry, 2 * n);
-      set.tail_velocity_m_s.row(k)   = Eigen::Map<const Eigen::RowVectorXd>(entry + first_shape_entry + 2 * n, 2 * n);
+      set.tail_displacement_m.row(k) = Eigen::Map<const Eigen::RowVectorXd>(entry + first_shape_entry, dim * n);
+      set.tail_velocity_m_s.row(k) = Eigen::Map<const Eigen::RowVectorXd>(entry + first_shape_entry + dim * n, dim * n);
     }
     return set;
   }
 
-  std::vector<std::vector<double>> RunRecorder::rows() const
+  template <int dim>
+  std::vector<std::vector<double>> RunRecorder<dim>::rows() const
   {
     std::vector<std::vector<double>> result;
     for (const auto &row : trajectory_)
@@ -125,8 +132,9 @@ namespace swimtwin
     return result;
   }
 
-  void RunRecorder::restore(const std::vector<std::vector<double>> &rows, std::vector<std::vector<double>> shapes,
-                            std::vector<IntervalWork> first_works)
+  template <int dim>
+  void RunRecorder<dim>::restore(const std::vector<std::vector<double>> &rows, std::vector<std::vector<double>> shapes,
+                                 std::vector<IntervalWork> first_works)
   {
     first_works_ = std::move(first_works);
     trajectory_.clear();
@@ -134,4 +142,7 @@ namespace swimtwin
       trajectory_.push_back(row_of(row));
     shapes_ = std::move(shapes);
   }
+
+  template class RunRecorder<2>;
+  template class RunRecorder<3>;
 } // namespace swimtwin

@@ -7,19 +7,20 @@
 
 namespace swimtwin
 {
+  template <int dim>
   class RunRecorder
   {
   public:
     explicit RunRecorder(const Scene &scene) : scene_(scene) {}
 
     /// Note the model's present instant, after `grid_step` steps of the time grid.
-    void note(const FullOrderModel<2> &model, int grid_step);
+    void note(const FullOrderModel<dim> &model, int grid_step);
 
     const Trajectory &trajectory() const { return trajectory_; }
     /// Works of the first intervals between rows, where powers do not tell them (fom/step/start_work.h).
     const std::vector<IntervalWork> &first_works() const { return first_works_; }
     /// Tail mesh, mass matrix and the shapes noted so far.
-    SnapshotSet snapshots(const Swimmer<2> &swimmer) const;
+    SnapshotSet snapshots(const Swimmer<dim> &swimmer) const;
 
     /// Flat copies for a checkpoint: rows of numbers.
     std::vector<std::vector<double>> rows() const;

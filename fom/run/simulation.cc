@@ -42,6 +42,7 @@ namespace swimtwin
     }
 
     /// One run in progress.
+    template <int dim>
     class Run
     {
     public:
@@ -88,7 +89,7 @@ namespace swimtwin
       {
         recorder_.note(model_, grid_step);
         if (fields_ && grid_step % field_interval() == 0)
-          fields_->write(instant_of(model_), grid_step / field_interval());
+          fields_->template write<dim>(instant_of(model_), grid_step / field_interval());
       }
 
       void advance_or_explain()
@@ -116,19 +117,19 @@ namespace swimtwin
 
       void save()
       {
-        const Checkpoint checkpoint{model_.state(),
-                                    recorder_.rows(),
-                                    recorder_.shapes(),
-                                    recorder_.first_works(),
-                                    wall_before_ + seconds_since(start_),
-                                    cpu_before_ + process_cpu_time_s()};
+        const Checkpoint<dim> checkpoint{model_.state(),
+                                         recorder_.rows(),
+                                         recorder_.shapes(),
+                                         recorder_.first_works(),
+                                         wall_before_ + seconds_since(start_),
+                                         cpu_before_ + process_cpu_time_s()};
         if (is_writer_)
           write_checkpoint(checkpoint_file_, checkpoint, provenance());
       }
 
       void resume()
       {
-        Checkpoint checkpoint = read_checkpoint(checkpoint_file_, scene_);
+        Checkpoint<dim> checkpoint = read_checkpoint<dim>(checkpoint_file_, scene_);
         model_.restore(checkpoint.model);
         recorder_.restore(checkpoint.rows, std::move(checkpoint.shapes), std::move(checkpoint.first_works));
         grid_step_   = checkpoint.model.grid_step;
@@ -235,7 +236,7 @@ namespace swimtwin
         try
         {
           std::filesystem::create_directory(staged);
-          write_trajectory_csv(staged / "trajectory.csv", result.trajectory);
+          write_trajectory_csv(staged / "trajectory.csv", result.trajectory, dim);
           if (!result.snapshots.time_s.empty())
             write_snapshots(staged / "snapshots.h5", result.snapshots, provenance());
           write_run_summary_json(staged / "summary.json", {result.summary, provenance()});
@@ -258,8 +259,8 @@ namespace swimtwin
       std::optional<FolderLock>  lock_; ///< of the writer, if the verb has none: runs within runs have folders, too
       Clock::time_point          start_       = Clock::now();
       double                     wall_before_ = 0., cpu_before_ = 0.;
-      FullOrderModel<2>          model_;
-      RunRecorder                recorder_;
+      FullOrderModel<dim>        model_;
+      RunRecorder<dim>           recorder_;
       std::optional<FieldOutput> fields_;
       int                        grid_step_ = 0;
     };
@@ -267,6 +268,7 @@ namespace swimtwin
 
   SimulationResult simulate(const Scene &scene, const SimulationOptions &options, const MPI_Comm communicator)
   {
-    return Run(scene, options, communicator).finish();
+    return scene.dimension == 3 ? Run<3>(scene, options, communicator).finish()
+                                : Run<2>(scene, options, communicator).finish();
   }
 } // namespace swimtwin

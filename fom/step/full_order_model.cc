@@ -27,16 +27,22 @@ namespace swimtwin
     constexpr int ticks_of_first_step = ticks_per_step / 8;
 
     /// Distance (m) of the closest of some points to a wall that does not move with them; infinite without one.
-    double distance_to_walls(const Domain &domain, const std::vector<Point<2>> &points)
+    template <int dim>
+    double distance_to_walls(const Domain &domain, const std::vector<Point<dim>> &points)
     {
-      double         least = std::numeric_limits<double>::infinity();
-      const Point<2> center(domain.center_m[0], domain.center_m[1]);
+      double     least = std::numeric_limits<double>::infinity();
+      Point<dim> center;
+      for (int c = 0; c < 2; ++c)
+        center[c] = domain.center_m[c];
+      const std::array<double, 3> size{domain.size_m[0], domain.size_m[1], domain.size_z_m};
       for (const auto &x : points)
       {
-        const Tensor<1, 2> r = x - center;
+        const Tensor<1, dim> r = x - center;
         if (domain.shape == DomainShape::box || domain.shape == DomainShape::channel)
-          for (int c = 0; c < 2; ++c)
-            least = std::min(least, domain.size_m[c] / 2 - std::abs(r[c]));
+          for (int c = 0; c < dim; ++c)
+            least = std::min(least, size[c] / 2 - std::abs(r[c]));
+        else if (domain.shape == DomainShape::cylinder)
+          least = std::min({least, size[0] / 2 - std::abs(r[0]), domain.radius_m - std::hypot(r[1], r[dim - 1])});
         else if (!domain.moves_with_swimmer)
           least = std::min(least, domain.radius_m - r.norm());
         if (domain.shape == DomainShape::annulus)
@@ -216,7 +222,7 @@ namespace swimtwin
     message << "the step at t = " << now_.time_s << " s failed (" << cause(outcome) << ") after "
             << (is_about_time ? "" : "a remesh and ") << halvings << " halvings of the step: ";
     const double distance =
-        fluid_ ? distance_to_walls(*scene_.domain, swimmer_.surface(now_.configuration)) : scene_.body_length_m();
+        fluid_ ? distance_to_walls<dim>(*scene_.domain, swimmer_.surface(now_.configuration)) : scene_.body_length_m();
     if (!is_about_time && distance < .5 * scene_.numerics.mesh_size_m)
       message << "the body is " << distance << " m from a wall, and contact is not modelled; enlarge the domain, move "
               << "the head, lower the field, or end the run before";
@@ -242,7 +248,7 @@ namespace swimtwin
     Rates<dim> rates = extrapolated_rates(now_, before, growth);
     take_given_rates(swimmer_, step, rates);
     Configuration<dim> configuration = step.known;
-    configuration.pose.angle += bdf.slope_weight * rates.omega[0];
+    configuration.pose.angle += bdf.slope_weight * rates.omega[rotation_about_z<dim>];
     for (unsigned int a = 0; a < configuration.shape.size(); ++a)
       configuration.shape[a] += bdf.slope_weight * rates.shape_rate[a];
     configuration.pose.center = head_center(swimmer_, step, configuration, rates);
@@ -369,4 +375,5 @@ namespace swimtwin
   }
 
   template class FullOrderModel<2>;
+  template class FullOrderModel<3>;
 } // namespace swimtwin

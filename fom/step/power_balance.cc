@@ -89,7 +89,7 @@ namespace swimtwin
       }
       if (!scene.head.is_driven())
         return 0.;
-      double power = balance.load_that_holds_head[2] * rates.omega[0];
+      double power = balance.load_that_holds_head[2] * rates.omega[rotation_about_z<dim>];
       for (int c = 0; c < dim; ++c)
         power += balance.load_that_holds_head[c] * rates.velocity[c];
       return power;
@@ -116,8 +116,9 @@ namespace swimtwin
           balance.surface_force.push_back(reaction.force[fluid->surface_row(k, c)]);
       balance.load_of_fluid = load_of_fluid(swimmer, balance.surface_force, configuration);
     }
-    balance.magnetic = swimmer.torque_on_head(configuration.pose.angle, time_s).torque * rates.omega[0];
-    balance.gravity  = swimmer.force_on_head(time_s) * rates.velocity;
+    balance.magnetic =
+        swimmer.torque_on_head(configuration.pose.angle, time_s).torque * rates.omega[rotation_about_z<dim>];
+    balance.gravity = swimmer.force_on_head(time_s) * rates.velocity;
     if (swimmer.has_tail())
     {
       const auto w           = swimmer.tail_velocities(configuration, rates);
@@ -151,7 +152,8 @@ namespace swimtwin
       {
         for (int c = 0; c < dim; ++c)
           balance.load_that_holds_head[c] += swimmer.head_mass() * acceleration->head[c];
-        balance.load_that_holds_head[2] += swimmer.head_moment_of_inertia() * acceleration->omega[0];
+        balance.load_that_holds_head[2] +=
+            swimmer.head_moment_of_inertia() * acceleration->omega[rotation_about_z<dim>];
       }
     }
     balance.drive = power_of_drive(swimmer, balance, body_growth, configuration, rates);
@@ -161,4 +163,7 @@ namespace swimtwin
   template PowerBalance power_balance<2>(const Swimmer<2> &, const FluidDomain<2> *, const std::vector<double> &,
                                          const Configuration<2> &, const Rates<2> &, double,
                                          const std::optional<BodyVelocities<2>> &);
+  template PowerBalance power_balance<3>(const Swimmer<3> &, const FluidDomain<3> *, const std::vector<double> &,
+                                         const Configuration<3> &, const Rates<3> &, double,
+                                         const std::optional<BodyVelocities<3>> &);
 } // namespace swimtwin

@@ -75,7 +75,8 @@ namespace swimtwin
                          [](const auto &wall) { return wall.second.speed_m_s != 0. && wall.second.ramp_s == 0.; });
     }
 
-    bool tail_is_loaded(const Swimmer<2> &swimmer)
+    template <int dim>
+    bool tail_is_loaded(const Swimmer<dim> &swimmer)
     {
       for (unsigned int a = 0; a < swimmer.tail().mesh.n_nodes(); ++a)
         if (swimmer.load_on_tail_node(a, 0.).norm() > 0.)
@@ -83,13 +84,14 @@ namespace swimtwin
       return false;
     }
 
-    bool head_is_turned(const Swimmer<2> &swimmer)
+    template <int dim>
+    bool head_is_turned(const Swimmer<dim> &swimmer)
     {
       constexpr double round_off = 1e-12; // of sines: a head along the field is not turned
       const Scene     &scene     = swimmer.scene();
       const auto       field     = scene.field(0.);
       const double     largest =
-          scene.head.magnetization_A_m * scene.head.area_m2() * std::hypot(field[0], field[1], field[2]);
+          scene.head.magnetization_A_m * scene.head.volume(dim) * std::hypot(field[0], field[1], field[2]);
       return scene.head.is_free() &&
              std::abs(swimmer.torque_on_head(scene.head.angle_rad, 0.).torque) > round_off * std::abs(largest);
     }
@@ -100,7 +102,8 @@ namespace swimtwin
     return std::max(1, time.steps_per_period / 10);
   }
 
-  bool starts_under_load(const Swimmer<2> &swimmer)
+  template <int dim>
+  bool starts_under_load(const Swimmer<dim> &swimmer)
   {
     const Scene &scene     = swimmer.scene();
     const bool   is_driven = scene.head.is_driven() || (scene.tail && scene.tail->is_driven());
@@ -133,6 +136,10 @@ namespace swimtwin
             .5 * (on_fluid_before + on_fluid) + walls};
   }
 
+  template bool         starts_under_load<2>(const Swimmer<2> &);
+  template bool         starts_under_load<3>(const Swimmer<3> &);
   template IntervalWork work_along_the_way<2>(const Swimmer<2> &, const Instant<2> &, const PowerBalance *,
                                               const Instant<2> &, const PowerBalance &);
+  template IntervalWork work_along_the_way<3>(const Swimmer<3> &, const Instant<3> &, const PowerBalance *,
+                                              const Instant<3> &, const PowerBalance &);
 } // namespace swimtwin

@@ -12,7 +12,8 @@ namespace swimtwin
 
   /// Whether field, gravity or walls load a tail in a fluid at t = 0, so that rates start with a jump. (Without a tail
   /// the rates at t = 0 are known.)
-  bool starts_under_load(const Swimmer<2> &swimmer);
+  template <int dim>
+  bool starts_under_load(const Swimmer<dim> &swimmer);
 
   /// Whether the power that is put in rose over a step: what a jump left behind decays.
   bool powers_are_smooth_again(const PowerBalance &before, const PowerBalance &now);

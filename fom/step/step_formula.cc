@@ -56,9 +56,9 @@ namespace swimtwin
     const Scene &scene = swimmer.scene();
     if (scene.head.is_driven())
     {
-      const RigidPose<dim> pose = given_pose<dim>(scene.head, step.time_s).pose;
-      rates.velocity            = (pose.center - step.known.pose.center) / step.slope_weight;
-      rates.omega[0]            = (pose.angle - step.known.pose.angle) / step.slope_weight;
+      const RigidPose<dim> pose          = given_pose<dim>(scene.head, step.time_s).pose;
+      rates.velocity                     = (pose.center - step.known.pose.center) / step.slope_weight;
+      rates.omega[rotation_about_z<dim>] = (pose.angle - step.known.pose.angle) / step.slope_weight;
     }
     if (scene.tail && scene.tail->is_driven())
     {
@@ -91,4 +91,12 @@ namespace swimtwin
   template Rates<2>                         extrapolated_rates<2>(const Instant<2> &, const Instant<2> &, double);
   template std::optional<BodyVelocities<2>> acceleration<2>(const Swimmer<2> &, const TimeStep<2> &,
                                                             const Instant<2> &);
+  template Configuration<3>                 known_configuration<3>(const Swimmer<3> &, const Bdf2 &, const Instant<3> &,
+                                                   const Instant<3> &);
+  template std::optional<BodyVelocities<3>> known_velocities<3>(const Swimmer<3> &, const Bdf2 &, const Instant<3> &,
+                                                                const Instant<3> &);
+  template void                             take_given_rates<3>(const Swimmer<3> &, const TimeStep<3> &, Rates<3> &);
+  template Rates<3>                         extrapolated_rates<3>(const Instant<3> &, const Instant<3> &, double);
+  template std::optional<BodyVelocities<3>> acceleration<3>(const Swimmer<3> &, const TimeStep<3> &,
+                                                            const Instant<3> &);
 } // namespace swimtwin

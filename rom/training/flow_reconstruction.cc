@@ -62,9 +62,9 @@ namespace swimtwin
       const ReducedSnapshot &snapshot      = snapshots[i];
       const auto             configuration = configuration_of(swimmer, model.tail, snapshot.state);
       const FluidDomain<2>   fluid         = fluid_around(swimmer, configuration);
-      fields.write({snapshot.phase / frequency_Hz, swimmer, configuration, &fluid,
-                    compute_flow(swimmer, fluid, configuration, rates_of(model.tail, snapshot))},
-                   static_cast<unsigned int>(i));
+      fields.write<2>({snapshot.phase / frequency_Hz, swimmer, configuration, &fluid,
+                       compute_flow(swimmer, fluid, configuration, rates_of(model.tail, snapshot))},
+                      static_cast<unsigned int>(i));
       if (on_progress)
         on_progress(static_cast<int>(i) + 1);
     }

@@ -26,6 +26,8 @@ namespace swimtwin
 
   void require_trainable(const Scene &scene)
   {
+    require(scene, scene.dimension == 2, "it is in three dimensions, where swimmers are not reduced yet",
+            "run it with simulate");
     require(scene, scene.tail.has_value(), "it has no [tail], so that there is no shape to reduce",
             "run it with simulate, which is fast for a rigid body");
     require(scene, scene.fluid.has_value(), "it has no [fluid], and the reduced swimmer is driven by resistance",

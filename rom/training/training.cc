@@ -32,7 +32,7 @@ namespace swimtwin
     public:
       Training(const Scene &scene, const TrainingOptions &options, const MPI_Comm communicator)
           : scene_(scene), options_(options), communicator_(communicator), swimmer_(scene, MPI_COMM_SELF),
-            tail_(RunRecorder(scene).snapshots(swimmer_)), space_(make_tail_space(tail_))
+            tail_(RunRecorder<2>(scene).snapshots(swimmer_)), space_(make_tail_space(tail_))
       {
       }
 

@@ -20,8 +20,8 @@ namespace swimtwin
     /// Two triangles of fluid and their past, a tail of three nodes; what matters is that every entry is there.
     std::string small_checkpoint()
     {
-      Checkpoint checkpoint;
-      auto      &model              = checkpoint.model;
+      Checkpoint<2> checkpoint;
+      auto         &model           = checkpoint.model;
       model.now.configuration.shape = NodalField<2>(3);
       model.now.rates.shape_rate    = NodalField<2>(3);
       model.before                  = model.now;
@@ -51,7 +51,7 @@ namespace swimtwin
 
     void read(const fs::path &file)
     {
-      read_checkpoint(file, scene_of_checkpoints());
+      read_checkpoint<2>(file, scene_of_checkpoints());
     }
 
     /// As if another version had written it: the checksum is right.

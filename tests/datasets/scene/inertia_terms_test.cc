@@ -101,9 +101,9 @@ namespace swimtwin
   {
     Head head;
     head.size_m = {2., 4.};
-    EXPECT_DOUBLE_EQ(head.polar_moment_m4(), 8. * (4. + 16.) / 12.);
+    EXPECT_DOUBLE_EQ(head.second_moment(2), 8. * (4. + 16.) / 12.);
     head.shape  = HeadShape::disc;
     head.size_m = {2., 2.};
-    EXPECT_DOUBLE_EQ(head.polar_moment_m4(), 0.5 * head.area_m2()); // A r^2 / 2
+    EXPECT_DOUBLE_EQ(head.second_moment(2), 0.5 * head.area_m2()); // A r^2 / 2
   }
 } // namespace swimtwin

@@ -41,10 +41,19 @@ namespace swimtwin
     }
   } // namespace
 
-  TEST(SceneRules, OnlyTwoDimensionsForNow)
+  TEST(SceneRules, TwoOrThreeDimensions)
   {
-    expect_refused({"dimension=3"}, "dimension = 3 is not available yet, 3D arrives later; use dimension = 2.");
-    expect_refused({"dimension=4"}, "dimension = 4");
+    expect_refused({"dimension=4"}, "dimension = 4 is not a space that swimmers live in; use 2 or 3.");
+    expect_refused({"dimension=3"}, "[head] shape = \"rectangle\" is not one of");
+    const Overrides in_space{"dimension=3", "head.shape=cylinder", "domain.size_m=[40e-3, 20e-3, 20e-3]"};
+    expect_accepted(swimmer_toml, in_space);
+    expect_refused(in_space + Overrides{"domain.size_m=[40e-3, 20e-3]"}, "an array of three numbers [x, y, z]");
+    expect_refused(in_space + Overrides{"numerics.coupling=fixed-point"}, "in three dimensions; use \"monolithic\"");
+    expect_accepted(swimmer_toml, {"dimension=3", "head.shape=cylinder",
+                                   "domain={shape=\"cylinder\", radius_m=0.01, length_m=0.04}"});
+    expect_refused({"dimension=3", "head.shape=cylinder", "domain={shape=\"cylinder\", radius_m=0.01}"},
+                   "length_m is missing; the shape cylinder needs it, in m");
+    expect_refused({"head.shape=cylinder"}, "[head] shape = \"cylinder\" is not one of");
   }
 
   TEST(SceneRules, QuantitiesThatMustBePositive)

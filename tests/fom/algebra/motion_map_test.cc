@@ -220,7 +220,7 @@ namespace swimtwin
     constexpr int dim = TestFixture::dimension;
     SmallMap<dim> small;
     const auto    n_unknowns = small.map.n_unknowns();
-    small.map.keep_head_on_axis();
+    small.map.keep_head_to({0});
     small.map.close(std::vector<unsigned int>(SmallMap<dim>::n_nodes * dim, 0), true, MPI_COMM_WORLD);
     EXPECT_EQ(small.map.n_unknowns(), n_unknowns - n_rigid<dim> + 1);
     EXPECT_EQ(small.map.first_head_unknown(), small.map.n_unknowns() - 1);

@@ -40,11 +40,11 @@ namespace swimtwin
   TEST_F(GivenShape, KeepsTheArea)
   {
     Configuration<2> configuration = swimmer.configuration_at_rest();
-    const double     at_rest       = swimmer.area(configuration);
+    const double     at_rest       = swimmer.volume(configuration);
     for (const double time_s : {0., .2, .45})
     {
       take_given_configuration(swimmer, time_s, configuration);
-      EXPECT_NEAR(swimmer.area(configuration) / at_rest, 1., 1e-5);
+      EXPECT_NEAR(swimmer.volume(configuration) / at_rest, 1., 1e-5);
     }
   }
 

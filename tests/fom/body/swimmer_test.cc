@@ -214,9 +214,9 @@ namespace swimtwin
   TEST_F(SwimmerTest, AreaRateIsTheDerivativeOfTheArea)
   {
     constexpr double t = 0.3, h = 1e-4;
-    const double     difference = (swimmer.area(configuration(t + h)) - swimmer.area(configuration(t - h))) / (2. * h);
-    const double     rate       = swimmer.area_rate(configuration(t), rates(t));
-    EXPECT_GT(std::abs(rate), 1e-3 * swimmer.area(configuration(t)));
+    const double difference = (swimmer.volume(configuration(t + h)) - swimmer.volume(configuration(t - h))) / (2. * h);
+    const double rate       = swimmer.volume_rate(configuration(t), rates(t));
+    EXPECT_GT(std::abs(rate), 1e-3 * swimmer.volume(configuration(t)));
     EXPECT_NEAR(rate, difference, 1e-6 * std::abs(rate));
   }
 
@@ -225,7 +225,7 @@ namespace swimtwin
   TEST_F(SwimmerTest, AreaAtRestIsThatOfItsParts)
   {
     const double exact = 0.5e-3 * 1.5e-3 + 7.4e-3 * (1.5e-3 + 0.2e-3) / 2. + std::numbers::pi * 0.1e-3 * 0.1e-3 / 2.;
-    EXPECT_NEAR(swimmer.area(swimmer.configuration_at_rest()), exact, 1e-5 * exact);
+    EXPECT_NEAR(swimmer.volume(swimmer.configuration_at_rest()), exact, 1e-5 * exact);
   }
 
   // Both are sums over the same nodes: round-off of millimetres.

@@ -185,7 +185,7 @@ namespace swimtwin
   {
     const Scene scene = shipped_scene("passive-tail-channel");
     const auto  at    = [&](const double y, const double t) {
-      return wall_velocity(*scene.domain, "left", {-15e-3, y}, t);
+      return wall_velocity<2>(*scene.domain, "left", {-15e-3, y}, t);
     };
     constexpr int n    = 1000;
     double        mean = 0.;
@@ -202,7 +202,7 @@ namespace swimtwin
   TEST(WallVelocity, RoundWallTurnsCounterClockwise)
   {
     const Scene scene = shipped_scene("rotating-disc");
-    const auto  v     = wall_velocity(*scene.domain, "outer", {5e-3, 0.}, 0.);
+    const auto  v     = wall_velocity<2>(*scene.domain, "outer", {5e-3, 0.}, 0.);
     EXPECT_NEAR(v[0], 0., 1e-17);
     EXPECT_NEAR(v[1], 5e-3, 1e-17);
   }

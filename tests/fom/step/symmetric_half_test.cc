@@ -186,8 +186,8 @@ namespace swimtwin
     const TemporaryFolder folder;
     Provenance            provenance;
     provenance.scene_hash = scene.hash;
-    write_checkpoint(folder.path / "checkpoint.h5", {stopped.state(), {{0.}}, {{0.}}}, provenance);
-    restored.restore(read_checkpoint(folder.path / "checkpoint.h5", scene).model);
+    write_checkpoint<2>(folder.path / "checkpoint.h5", {stopped.state(), {{0.}}, {{0.}}}, provenance);
+    restored.restore(read_checkpoint<2>(folder.path / "checkpoint.h5", scene).model);
     stopped.advance();
     restored.advance();
     expect_exact_symmetry(restored);

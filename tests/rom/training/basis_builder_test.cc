@@ -20,7 +20,7 @@ namespace swimtwin
       Scene scene =
           shipped_scene("reference-2d-casefile", {"numerics.mesh_size_m=5e-4", "numerics.mesh_size_corner_m=1.5e-4"});
       Swimmer<2>    swimmer{scene, MPI_COMM_WORLD};
-      TailSpace     space = make_tail_space(RunRecorder(scene).snapshots(swimmer));
+      TailSpace     space = make_tail_space(RunRecorder<2>(scene).snapshots(swimmer));
       TailStiffness stiffness{swimmer, space};
       TailBasis     basis = elastic(4, 4);
 
@@ -100,7 +100,7 @@ namespace swimtwin
 
   TEST_F(BasisBuilderTest, FindsTheModesOfSnapshotsAndTheirShortening)
   {
-    const SnapshotSet set = snapshots_along(basis, RunRecorder(scene).snapshots(swimmer), 50);
+    const SnapshotSet set = snapshots_along(basis, RunRecorder<2>(scene).snapshots(swimmer), 50);
     BasisBuilder      builder(space, stiffness, MPI_COMM_WORLD);
     builder.add(set, "made up");
     const TailBasis found = builder.compute(2, 3);
@@ -112,7 +112,7 @@ namespace swimtwin
   TEST_F(BasisBuilderTest, FillsUpWithElasticModesWhereSnapshotsHaveNone)
   {
     BasisBuilder builder(space, stiffness, MPI_COMM_WORLD);
-    builder.add(snapshots_along(basis, RunRecorder(scene).snapshots(swimmer), 50), "made up");
+    builder.add(snapshots_along(basis, RunRecorder<2>(scene).snapshots(swimmer), 50), "made up");
     const TailBasis four = builder.compute(4, 8);
     EXPECT_EQ(four.n_coordinates(), 4);
     EXPECT_LE(gram_error(four.coordinates), 1e-10);
@@ -123,7 +123,7 @@ namespace swimtwin
 
   TEST_F(BasisBuilderTest, RefusesSnapshotsOfAnotherTail)
   {
-    SnapshotSet set = RunRecorder(scene).snapshots(swimmer);
+    SnapshotSet set = RunRecorder<2>(scene).snapshots(swimmer);
     set.tail_nodes_m *= 1.01;
     BasisBuilder builder(space, stiffness, MPI_COMM_WORLD);
     EXPECT_THROW(builder.add(set, "snapshots.h5"), InputError);

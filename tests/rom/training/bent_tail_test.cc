@@ -19,7 +19,7 @@ namespace swimtwin
           : scene(
                 shipped_scene("reference-2d-casefile", {"numerics.mesh_size_m=6e-4", "numerics.mesh_size_corner_m=2e-4",
                                                         "tail.law=\"" + law + "\""})),
-            swimmer(scene, MPI_COMM_WORLD), space(make_tail_space(RunRecorder(scene).snapshots(swimmer))),
+            swimmer(scene, MPI_COMM_WORLD), space(make_tail_space(RunRecorder<2>(scene).snapshots(swimmer))),
             coordinates(swimmer)
       {
         coordinates.choose_modes(Eigen::MatrixXd(2 * swimmer.tail().mesh.n_nodes(), 0), 2);
@@ -87,7 +87,7 @@ namespace swimtwin
       if (!body.swimmer.is_clamped(static_cast<unsigned int>(a)))
         off[2 * a] += 1e-3 * (body.space.nodes_m(a, 0) - 0.25e-3);
     const double energy = body.swimmer.elasticity().energy(nodal_field<2>(off)) / E;
-    const double moved  = at.slope_m.dot(body.coordinates.of(off) - at.q); // work of the moments
+    const double moved  = at.slope_m.dot(Eigen::VectorXd(body.coordinates.of(off)) - at.q); // work of the moments
     EXPECT_GT(energy - at.energy_m2 - moved, 0.);
   }
 

@@ -50,7 +50,7 @@ namespace swimtwin
       Scene scene =
           shipped_scene("reference-2d-casefile", {"numerics.mesh_size_m=5e-4", "numerics.mesh_size_corner_m=1.5e-4"});
       Swimmer<2>      swimmer{scene, MPI_COMM_WORLD};
-      TailSpace       space = make_tail_space(RunRecorder(scene).snapshots(swimmer));
+      TailSpace       space = make_tail_space(RunRecorder<2>(scene).snapshots(swimmer));
       TailStiffness   stiffness{swimmer, space};
       TailBasis       basis = BasisBuilder(space, stiffness, MPI_COMM_WORLD).compute(3, 3);
       Eigen::MatrixXd modes = all_modes();

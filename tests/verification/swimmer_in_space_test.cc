@@ -1,0 +1,82 @@
+// The elastic swimmer in three dimensions: laws that its motion has to keep, on meshes much coarser than shipped.
+#include <fom/step/full_order_model.h>
+#include <tests/fom/shipped_scene.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iostream>
+
+namespace swimtwin
+{
+  namespace
+  {
+    using namespace dealii;
+
+    std::vector<std::string> coarse(const std::vector<std::string> &more)
+    {
+      std::vector<std::string> overrides{"variant=quick"};
+      overrides.insert(overrides.end(), more.begin(), more.end());
+      return overrides;
+    }
+
+    Configuration<3> after(const Scene &scene, const int n_steps)
+    {
+      FullOrderModel<3> model(scene, MPI_COMM_WORLD);
+      for (int step = 0; step < n_steps; ++step)
+        model.advance();
+      return model.now().configuration;
+    }
+  } // namespace
+
+  // The whole is solved on the half's mesh and its reflection; both iterate to 1e-9 of a body length.
+  TEST(SwimmerInSpace, HalfMovesAsTheWholeDoes)
+  {
+    const std::vector<std::string> tight{"numerics.linear_tolerance=1e-11", "numerics.coupling_tolerance=1e-9",
+                                         "numerics.mesh_size_m=8e-4"};
+    auto                           whole = tight;
+    whole.push_back("numerics.symmetric_half=off");
+    const Scene half_scene      = shipped_scene("reference-3d-paper", coarse(tight)),
+                whole_scene     = shipped_scene("reference-3d-paper", coarse(whole));
+    const Configuration<3> half = after(half_scene, 2), all = after(whole_scene, 2);
+    const Swimmer<3>       swimmer(half_scene, MPI_COMM_WORLD);
+    const double           difference = swimmer.relative_change(half, all);
+    std::cout << "half and whole in space differ by " << difference << " body lengths" << std::endl;
+    EXPECT_LE(difference, 1e-8);
+    EXPECT_GT(swimmer.relative_change(half, swimmer.configuration_at_rest()), 1e-3);
+  }
+
+  // Over the fourth step of forty, powers by the trapezoidal rule: magnetic work is dissipated or stored.
+  TEST(SwimmerInSpace, PowerBalances)
+  {
+    for (const char *inertia : {"none", "full"})
+    {
+      const Scene       scene = shipped_scene("reference-3d-paper", coarse({std::string("fluid.inertia=") + inertia}));
+      FullOrderModel<3> model(scene, MPI_COMM_WORLD);
+      for (int step = 0; step < 3; ++step)
+        model.advance();
+      const PowerBalance before = model.balance();
+      model.advance();
+      const PowerBalance now  = model.balance();
+      const double       dt   = scene.time.time_step_s();
+      const double       work = .5 * dt * (before.magnetic + now.magnetic),
+                   missing =
+                       work -
+                       .5 * dt * (before.dissipation + now.dissipation + before.kinetic_outflow + now.kinetic_outflow) -
+                       (now.elastic_energy + now.kinetic_energy - before.elastic_energy - before.kinetic_energy);
+      std::cout << "power balance in space, inertia " << inertia << ": open by " << missing / work << std::endl;
+      EXPECT_LE(std::abs(missing), 5e-3 * work);
+    }
+  }
+
+  // Planar by construction of the half; volume of a tail that a closed fluid does not let change.
+  TEST(SwimmerInSpace, KeepsItsVolumeInAClosedBox)
+  {
+    const Scene scene =
+        shipped_scene("reference-3d-paper", coarse({"domain.walls={left=\"no-slip\", right=\"no-slip\"}"}));
+    const Swimmer<3>       swimmer(scene, MPI_COMM_WORLD);
+    const Configuration<3> configuration = after(scene, 3);
+    const double           at_rest       = swimmer.volume(swimmer.configuration_at_rest());
+    EXPECT_NEAR(swimmer.volume(configuration) / at_rest, 1., 1e-6);
+  }
+} // namespace swimtwin
