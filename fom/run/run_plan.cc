@@ -17,18 +17,23 @@ namespace swimtwin
 {
   namespace
   {
-    /// One core, 2D, MUMPS with OpenBLAS: CPU time per coupling iteration and memory against unknowns, as measured by
-    /// bench/work_precision on the shipped reference scene (docs/benchmarks.md).
-    double seconds_per_iteration(const double n_unknowns)
+    /// One core, MUMPS with OpenBLAS: CPU time per coupling iteration and memory against unknowns. 2D: as measured by
+    /// bench/work_precision on the shipped reference scene (docs/benchmarks.md); 3D: `simulate reference-3d-paper` at
+    /// 28,969 and 56,908 unknowns.
+    double seconds_per_iteration(const double n_unknowns, const int dimension)
     {
-      return 0.028 * std::pow(n_unknowns / 7400., 1.2);
+      return dimension == 3 ? 0.35 * std::pow(n_unknowns / 29e3, 1.4) : 0.028 * std::pow(n_unknowns / 7400., 1.2);
     }
-    double memory_MB(const double n_unknowns)
+    double memory_MB(const double n_unknowns, const int dimension)
     {
-      return process_memory_MB + memory_per_unknown_MB * n_unknowns;
+      return process_memory_MB + (dimension == 3 ? memory_per_unknown_in_space_MB : memory_per_unknown_MB) * n_unknowns;
     }
     constexpr double iterations_per_step = 1.5;
-    constexpr double n_unknowns_measured = 210e3; ///< docs/stress.md
+    /// Largest sizes that were measured: docs/stress.md, and above.
+    double n_unknowns_measured(const int dimension)
+    {
+      return dimension == 3 ? 57e3 : 210e3;
+    }
 
     /// Of the tail's tip when the swimmer follows the field's direction.
     double speed_of_swing(const Scene &scene)
@@ -93,7 +98,11 @@ namespace swimtwin
     {
       const InertiaTerms terms       = inertia_terms(scene);
       const auto [fluid, tail, head] = inertia_shares(scene);
-      if (scene.time.period_s > 0. && !scene.time.is_steady)
+      if (scene.dimension == 3)
+        plan.numbers.push_back({"inertia",
+                                "its share is not estimated in space yet: \"auto\" keeps all of it where the "
+                                "unsteady group is above 0.001"});
+      else if (scene.time.period_s > 0. && !scene.time.is_steady)
         plan.numbers.push_back(
             {"inertia", fmt::format("estimated share of the displacement: fluid {:.2g} %, tail {:.2g} %, "
                                     "head {:.2g} %; \"auto\" keeps what is above {:.1g} %",
@@ -119,8 +128,9 @@ namespace swimtwin
             {"fluid", "the scene has none: the tail is in equilibrium with its loads at every instant"});
         return;
       }
-      plan.solved.push_back({"fluid", fmt::format("{} flow, P2/P1 triangles with second-order geometry",
-                                                  inertia_terms(scene).convective ? "Navier-Stokes" : "Stokes")});
+      plan.solved.push_back({"fluid", fmt::format("{} flow, P2/P1 {} with second-order geometry",
+                                                  inertia_terms(scene).convective ? "Navier-Stokes" : "Stokes",
+                                                  scene.dimension == 3 ? "tetrahedra" : "triangles")});
       const double group = unsteady_group(scene);
       plan.numbers.push_back({"unsteady group", fmt::format("2 pi rho f L^2 / mu = {:.3g}{}", group,
                                                             scene.field.period_s() > 0. ? "" : ", f one per run")});
@@ -271,9 +281,10 @@ namespace swimtwin
       measure<3>(scene, communicator, plan);
     else
       measure<2>(scene, communicator, plan);
-    plan.estimated_time_s    = scene.time.n_steps() * iterations_per_step * seconds_per_iteration(plan.n_unknowns);
-    plan.estimated_memory_MB = memory_MB(plan.n_unknowns);
-    plan.is_extrapolated     = plan.n_unknowns > n_unknowns_measured;
+    plan.estimated_time_s =
+        scene.time.n_steps() * iterations_per_step * seconds_per_iteration(plan.n_unknowns, scene.dimension);
+    plan.estimated_memory_MB = memory_MB(plan.n_unknowns, scene.dimension);
+    plan.is_extrapolated     = plan.n_unknowns > n_unknowns_measured(scene.dimension);
     return plan;
   }
 } // namespace swimtwin

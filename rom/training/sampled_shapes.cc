@@ -92,6 +92,8 @@ namespace swimtwin
     for (const auto &point : points)
       radius = std::max(radius, point.q.cwiseQuotient(region.coordinate_scale_m).norm());
     region.coordinate_scale_m *= margin * radius;
+    if (region.height_scale_m == 0.)
+      region.height_scale_m = 1.; // nothing drifts, so that any unit does
     return region;
   }
 
