@@ -73,11 +73,12 @@ namespace swimtwin
 
     /// Below the design matrix: a weight that keeps coefficients small where samples do not tell them, in corners of
     /// the region where the tail would touch itself.
-    Eigen::MatrixXd with_ridge(const Eigen::MatrixXd &A)
+    /// `weight` of the rows: it is as large against light ones as against heavy ones.
+    Eigen::MatrixXd with_ridge(const Eigen::MatrixXd &A, const Eigen::VectorXd &weight)
     {
       constexpr double ridge = 1e-4;
       Eigen::MatrixXd  rows(A.rows() + A.cols(), A.cols());
-      rows << A, ridge * std::sqrt(static_cast<double>(A.rows())) * Eigen::MatrixXd::Identity(A.cols(), A.cols());
+      rows << A, ridge * weight.norm() * Eigen::MatrixXd::Identity(A.cols(), A.cols());
       return rows;
     }
 
@@ -92,7 +93,7 @@ namespace swimtwin
         Eigen::MatrixXd data     = Eigen::MatrixXd::Zero(A.rows() + static_cast<Eigen::Index>(features.size()),
                                                          static_cast<Eigen::Index>(entries.size()));
         data.topRows(A.rows())   = table.weight.asDiagonal() * table.entries(Eigen::all, entries);
-        c(features, entries)     = solve_by_plain_qr(with_ridge(A(Eigen::all, features)), data);
+        c(features, entries)     = solve_by_plain_qr(with_ridge(A(Eigen::all, features), table.weight), data);
       }
       return c;
     }
@@ -171,7 +172,7 @@ namespace swimtwin
     for (const int odd : {0, 1})
     {
       features_[odd]                = of_parity(resistance_.exponents, odd);
-      const Eigen::MatrixXd inverse = inverse_factor(with_ridge(A(Eigen::all, features_[odd])));
+      const Eigen::MatrixXd inverse = inverse_factor(with_ridge(A(Eigen::all, features_[odd]), table.weight));
       covariance_[odd]              = inverse * inverse.transpose();
     }
     resistance_.coordinate_scale_m = region.coordinate_scale_m;

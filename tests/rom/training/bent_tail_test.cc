@@ -23,7 +23,7 @@ namespace swimtwin
             coordinates(swimmer)
       {
         coordinates.choose_modes(Eigen::MatrixXd(2 * swimmer.tail().mesh.n_nodes(), 0), 2);
-        bend << 0.5 * coordinates.length_m(), -0.2 * coordinates.length_m(); // rms angles of 0.5 and 0.2 rad
+        bend << 0.1 * coordinates.length_m(), -0.04 * coordinates.length_m(); // as much as a stiff clamp bears
       }
 
       Scene              scene;
