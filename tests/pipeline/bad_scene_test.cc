@@ -125,9 +125,9 @@ namespace swimtwin
     expect_refusal_of_setting("time.steps_per_period=4", {"steps_per_period = 4", "at least"});
   }
 
-  TEST(BadScene, WhatIsNotAvailableYetIsSaid)
+  TEST(BadScene, FourDimensionsAreRefused)
   {
-    expect_refusal_of_setting("dimension=3", {"dimension", "use dimension = 2"});
+    expect_refusal_of_setting("dimension=4", {"dimension = 4", "use 2 or 3"});
   }
 
   TEST(BadScene, AResistanceMatrixNeedsAFluid)

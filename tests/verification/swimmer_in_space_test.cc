@@ -29,23 +29,6 @@ namespace swimtwin
     }
   } // namespace
 
-  // The whole is solved on the half's mesh and its reflection; both iterate to 1e-9 of a body length.
-  TEST(SwimmerInSpace, HalfMovesAsTheWholeDoes)
-  {
-    const std::vector<std::string> tight{"numerics.linear_tolerance=1e-11", "numerics.coupling_tolerance=1e-9",
-                                         "numerics.mesh_size_m=8e-4"};
-    auto                           whole = tight;
-    whole.push_back("numerics.symmetric_half=off");
-    const Scene half_scene      = shipped_scene("reference-3d-paper", coarse(tight)),
-                whole_scene     = shipped_scene("reference-3d-paper", coarse(whole));
-    const Configuration<3> half = after(half_scene, 2), all = after(whole_scene, 2);
-    const Swimmer<3>       swimmer(half_scene, MPI_COMM_WORLD);
-    const double           difference = swimmer.relative_change(half, all);
-    std::cout << "half and whole in space differ by " << difference << " body lengths" << std::endl;
-    EXPECT_LE(difference, 1e-8);
-    EXPECT_GT(swimmer.relative_change(half, swimmer.configuration_at_rest()), 1e-3);
-  }
-
   // Over the fourth step of forty, powers by the trapezoidal rule: magnetic work is dissipated or stored.
   TEST(SwimmerInSpace, PowerBalances)
   {

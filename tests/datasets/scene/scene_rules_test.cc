@@ -44,7 +44,8 @@ namespace swimtwin
   TEST(SceneRules, TwoOrThreeDimensions)
   {
     expect_refused({"dimension=4"}, "dimension = 4 is not a space that swimmers live in; use 2 or 3.");
-    expect_refused({"dimension=3"}, "[head] shape = \"rectangle\" is not one of");
+    expect_refused({"dimension=3"},
+                   "size_m = [0.04, 0.02] has the wrong type; an array of three numbers [x, y, z] in m");
     const Overrides in_space{"dimension=3", "head.shape=cylinder", "domain.size_m=[40e-3, 20e-3, 20e-3]"};
     expect_accepted(swimmer_toml, in_space);
     expect_refused(in_space + Overrides{"domain.size_m=[40e-3, 20e-3]"}, "an array of three numbers [x, y, z]");
@@ -53,7 +54,8 @@ namespace swimtwin
                                    "domain={shape=\"cylinder\", radius_m=0.01, length_m=0.04}"});
     expect_refused({"dimension=3", "head.shape=cylinder", "domain={shape=\"cylinder\", radius_m=0.01}"},
                    "length_m is missing; the shape cylinder needs it, in m");
-    expect_refused({"head.shape=cylinder"}, "[head] shape = \"cylinder\" is not one of");
+    expect_refused({"head.shape=cylinder"}, "[head] shape = \"cylinder\" is not known");
+    expect_refused({"dimension=3", "domain.size_m=[40e-3, 20e-3, 20e-3]"}, "[head] shape = \"rectangle\" is not known");
   }
 
   TEST(SceneRules, QuantitiesThatMustBePositive)

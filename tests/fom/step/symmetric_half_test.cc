@@ -186,7 +186,7 @@ namespace swimtwin
     const TemporaryFolder folder;
     Provenance            provenance;
     provenance.scene_hash = scene.hash;
-    write_checkpoint<2>(folder.path / "checkpoint.h5", {stopped.state(), {{0.}}, {{0.}}}, provenance);
+    write_checkpoint<2>(folder.path / "checkpoint.h5", {stopped.state(), {numbers_of({})}, {{0.}}}, provenance);
     restored.restore(read_checkpoint<2>(folder.path / "checkpoint.h5", scene).model);
     stopped.advance();
     restored.advance();
