@@ -114,7 +114,7 @@ namespace swimtwin
       // The twin's instant is the stamp less what it takes for the delay.
       Eigen::VectorXd truth  = lab.truth_in(twin.layout());
       Belief          belief = twin.belief();
-      if (lab.now_s() > twin.now_s() + 1e-9) // the last frame was missing, or was thought to be earlier
+      if (lab.now_s() > twin.now_s() + 0.5 / c.lab.camera.frames_per_second) // the last frame was missing
         twin.filter().predict(twin.now_s(), lab.now_s(), belief);
       else
         belief.mean.head(m.swimmer.n_states()) +=

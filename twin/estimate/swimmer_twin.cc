@@ -95,6 +95,7 @@ namespace swimtwin
   void SwimmerTwin::start(const double stamp_s, const std::vector<Sighting> &observations)
   {
     const double instant_s = camera_.instant_s(stamp_s);
+    filter_.gated_from_s   = instant_s + options_.search_pose_after_s;
     filter_.start(instant_s, first_belief(instant_s, observations),
                   JumpTest(hypotheses_, options_.jumps.interval_s, options_.jumps.n_instants));
     // The first frame is an observation like all others, an instant after the belief that it began.

@@ -18,12 +18,12 @@ namespace swimtwin
       return n > 0. ? std::max(1e-3, std::sqrt(sum / n)) : 0.01;
     }
 
-    /// In a period the model is off by this share of what moves in it: of a body length's fiftieth, of a swing of half
-    /// a radian, of half the trained amplitudes.
+    /// In a period the model is off by this share of what moves in it: of half a body length's way to and fro, of a
+    /// swing of half a radian, of half the trained amplitudes.
     ModelNoise model_noise(const ReducedModel &model, const double length_m, const double period_s)
     {
       const double share = held_out_error(model) / std::sqrt(period_s);
-      return {0.02 * share * length_m, 0.5 * share,
+      return {0.5 * share * length_m, 0.5 * share,
               0.5 * share * model.resistance.coordinate_scale_m.head(model.n_modes())};
     }
   } // namespace

@@ -11,8 +11,10 @@ namespace swimtwin
     double knee = 3., gate = 5.;
 
     /// 1 up to the knee, then decreasing, 0 beyond the gate.
-    double weight(const double distance) const
+    double weight(const double distance, const bool is_gated = true) const
     {
+      if (!is_gated && distance > knee)
+        return knee / distance;
       return distance <= knee ? 1. : distance <= gate ? knee / distance : 0.;
     }
   };

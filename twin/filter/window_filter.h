@@ -86,6 +86,8 @@ namespace swimtwin
     bool predict(double from_s, double to_s, Belief &belief);
 
     FilterOptions options;
+    /// Before this instant nothing is taken for an outlier: far off is what little is known of the parameters.
+    double gated_from_s = -1e300;
 
   private:
     FilterNode &latest_node() { return nodes_[static_cast<std::size_t>(n_nodes_ - 1)]; }

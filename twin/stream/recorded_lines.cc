@@ -9,7 +9,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <optional>
 
 namespace swimtwin
@@ -84,10 +83,7 @@ namespace swimtwin
                    std::vector<std::string> &lines)
     {
       const double shift_s = lines.empty() ? 0. : end_s + between_tracks_s - track.time_s.front();
-      // The field swings before the first frame too: the motion has settled when a film begins.
-      const double period_s = 1. / track.frequency_Hz;
-      const double before   = std::ceil((track.period_start_s - track.time_s.front()) / period_s) + 1.;
-      const double start_s  = shift_s + track.period_start_s - std::max(0., before) * period_s;
+      const double start_s = shift_s + track.period_start_s; // still water and no field before it
       lines.emplace_back(R"({"type":"restart"})");
       lines.push_back(fmt::format(R"({{"type":"drive","time_s":{},"bx_T":{},"by_T":{},"frequency_Hz":{}}})", start_s,
                                   sidecar.field.bx_T(), sidecar.field.by_T(), track.frequency_Hz));
