@@ -1,7 +1,7 @@
 #include <fom/mesh/tail_mesh.h>
 
 #include <fom/geometry/reflection.h>
-#include <fom/geometry/triangulate.h>
+#include <fom/meshing/triangulate.h>
 #include <fom/mesh/inverted_element.h>
 
 namespace swimtwin

@@ -1,9 +1,9 @@
 // The fluid around a body in space: meshed at z >= 0 and reflected.
-#include <fom/geometry/graded_size.h>
+#include <fom/meshing/graded_size.h>
 #include <fom/geometry/reflection.h>
 #include <fom/mesh/fluid_mesh.h>
 #include <fom/mesh/inverted_element.h>
-#include <fom/mesh/spatial_walls.h>
+#include <fom/space/spatial_walls.h>
 #include <fom/mesh/wall_loop.h>
 
 namespace swimtwin

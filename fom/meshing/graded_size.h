@@ -1,7 +1,7 @@
 // Mesh sizes in space that grow away from where they are prescribed.
 #pragma once
 
-#include <fom/geometry/tetrahedralize.h>
+#include <fom/meshing/tetrahedralize.h>
 
 namespace swimtwin
 {

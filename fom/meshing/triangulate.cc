@@ -1,7 +1,7 @@
-#include <fom/geometry/triangulate.h>
+#include <fom/meshing/triangulate.h>
 
 #include <datasets/system/error.h>
-#include <fom/geometry/gmsh_session.h>
+#include <fom/meshing/gmsh_session.h>
 
 #include <gmsh.h>
 

@@ -1,8 +1,8 @@
-#include <fom/geometry/tetrahedralize.h>
+#include <fom/meshing/tetrahedralize.h>
 
 #include <datasets/system/error.h>
-#include <fom/geometry/boundary_faces.h>
-#include <fom/geometry/gmsh_session.h>
+#include <fom/meshing/boundary_faces.h>
+#include <fom/meshing/gmsh_session.h>
 
 #include <gmsh.h>
 

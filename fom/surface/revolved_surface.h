@@ -1,7 +1,7 @@
 // Half of a surface of revolution about an axis along x: what lies at z >= 0.
 #pragma once
 
-#include <fom/geometry/surface_builder.h>
+#include <fom/surface/surface_builder.h>
 
 namespace swimtwin
 {

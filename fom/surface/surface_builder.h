@@ -2,7 +2,7 @@
 #pragma once
 
 #include <fom/geometry/planar_curve.h>
-#include <fom/geometry/tetrahedralize.h>
+#include <fom/meshing/tetrahedralize.h>
 
 #include <deal.II/base/mpi.h>
 

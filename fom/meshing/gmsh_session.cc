@@ -1,4 +1,4 @@
-#include <fom/geometry/gmsh_session.h>
+#include <fom/meshing/gmsh_session.h>
 
 #include <datasets/system/error.h>
 

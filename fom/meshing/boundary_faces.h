@@ -1,7 +1,7 @@
 // Tetrahedra that stay sound when the edges on the boundary are curved.
 #pragma once
 
-#include <fom/geometry/tetrahedralize.h>
+#include <fom/meshing/tetrahedralize.h>
 
 namespace swimtwin
 {

@@ -1,5 +1,5 @@
-#include <fom/geometry/revolved_surface.h>
-#include <fom/mesh/spatial_walls.h>
+#include <fom/surface/revolved_surface.h>
+#include <fom/space/spatial_walls.h>
 
 #include <algorithm>
 #include <numbers>

@@ -1,4 +1,4 @@
-#include <fom/geometry/triangulate.h>
+#include <fom/meshing/triangulate.h>
 
 #include <datasets/system/error.h>
 

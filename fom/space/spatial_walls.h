@@ -2,7 +2,7 @@
 #pragma once
 
 #include <datasets/scene/scene.h>
-#include <fom/geometry/surface_builder.h>
+#include <fom/surface/surface_builder.h>
 
 namespace swimtwin
 {

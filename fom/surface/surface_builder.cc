@@ -1,6 +1,6 @@
-#include <fom/geometry/surface_builder.h>
+#include <fom/surface/surface_builder.h>
 
-#include <fom/geometry/triangulate.h>
+#include <fom/meshing/triangulate.h>
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include <fom/geometry/revolved_surface.h>
+#include <fom/surface/revolved_surface.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include <fom/geometry/boundary_faces.h>
+#include <fom/meshing/boundary_faces.h>
 
 #include <algorithm>
 #include <cmath>

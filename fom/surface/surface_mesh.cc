@@ -1,4 +1,4 @@
-#include <fom/mesh/surface_mesh.h>
+#include <fom/surface/surface_mesh.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_simplex_p.h>

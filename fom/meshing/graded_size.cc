@@ -1,4 +1,4 @@
-#include <fom/geometry/graded_size.h>
+#include <fom/meshing/graded_size.h>
 
 #include <deal.II/numerics/rtree.h>
 

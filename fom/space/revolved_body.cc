@@ -1,7 +1,7 @@
 // Bodies of revolution about the x axis, meshed at z >= 0 and reflected.
-#include <fom/geometry/graded_size.h>
+#include <fom/meshing/graded_size.h>
 #include <fom/geometry/reflection.h>
-#include <fom/geometry/revolved_surface.h>
+#include <fom/surface/revolved_surface.h>
 #include <fom/mesh/body_mesh.h>
 #include <fom/mesh/inverted_element.h>
 #include <fom/mesh/swimmer_outline.h>
