@@ -218,7 +218,7 @@ namespace swimtwin
       fmt::print("  alarms in all runs together: {}\n", alarms.size());
       int n_shown = 0;
       for (const auto &[name, n] : alarms)
-        if (++n_shown <= 8)
+        if (++n_shown <= 60)
           fmt::print("    {}\n", name);
     }
 
