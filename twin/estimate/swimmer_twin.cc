@@ -261,8 +261,11 @@ namespace swimtwin
     is_searching_ = false;
   }
 
+  /// Frames are used again after none could be: pose and shape may be anything near where they were thought to be. For
+  /// half a period nothing is taken for an outlier: far off is what little is known of the parameters.
   void SwimmerTwin::look_for_pose()
   {
+    filter_.gated_from_s       = now_s() + options_.search_pose_after_s;
     const Eigen::VectorXd zero = Eigen::VectorXd::Zero(layout_.n_states());
     for (int i = 0; i < layout_.n_swimmer(); ++i)
     {
@@ -278,9 +281,10 @@ namespace swimtwin
   SwimmerTwin::Memory SwimmerTwin::memory() const
   {
     const FilterNode &first = filter_.node(0);
-    Memory            memory{
-        first.time_s,       started_s_, quiet_until_s_, last_used_s_,  camera_.reference_delay_s, first.filtered,
-        first.noise_levels, {},         start_frames_,  is_searching_, kept_parameters_};
+    Memory            memory{first.time_s,   started_s_,           quiet_until_s_,
+                  last_used_s_,   filter_.gated_from_s, camera_.reference_delay_s,
+                  first.filtered, first.noise_levels,   {},
+                  start_frames_,  is_searching_,        kept_parameters_};
     for (int i = 1; i < filter_.n_nodes(); ++i)
       if (const FilterNode &node = filter_.node(i); !node.observations.empty())
         memory.frames.push_back({node.time_s, node.observations});
@@ -290,6 +294,7 @@ namespace swimtwin
   void SwimmerTwin::restore(const Memory &memory)
   {
     camera_.reference_delay_s = memory.reference_delay_s;
+    filter_.gated_from_s      = memory.gated_from_s;
     filter_.start(memory.window_start_s, memory.at_window_start,
                   JumpTest(hypotheses_, options_.jumps.interval_s, options_.jumps.n_instants), &memory.noise_levels);
     for (const Frame &frame : memory.frames)

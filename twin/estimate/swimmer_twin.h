@@ -74,7 +74,7 @@ namespace swimtwin
     /// What a later program needs to go on: the window's beginning and what was seen in it.
     struct Memory
     {
-      double window_start_s = 0., started_s = 0., quiet_until_s = 0., last_used_s = 0.;
+      double window_start_s = 0., started_s = 0., quiet_until_s = 0., last_used_s = 0., gated_from_s = -1e300;
       double reference_delay_s = 0.;
       Belief at_window_start;
       std::array<NoiseLevel, max_observation_kinds> noise_levels;

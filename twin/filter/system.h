@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 
+#include <limits>
 #include <vector>
 
 namespace swimtwin
@@ -50,6 +51,8 @@ namespace swimtwin
     virtual Eigen::Index n_rows(const Sighting &observation) const = 0;
     /// Where there is no sigma: what the learning starts from.
     virtual double first_sigma(int kind) const = 0;
+    /// How far off an observation may be while little is known of the parameters (norm of its residual).
+    virtual double largest_residual(int /*kind*/) const { return std::numeric_limits<double>::infinity(); }
     /// Observed minus expected of a state at this instant (n_rows), and the derivative of what is expected by the state
     /// (n_rows x n).
     virtual void look(const Sighting &observation, double time_s, const Eigen::VectorXd &state,

@@ -97,7 +97,8 @@ namespace swimtwin
         algebra_.distance_squared(residual, slopes, sigma, node.filtered, innovation.standard_deviation);
     innovation.residual.head(m) = residual;
     const double distance       = std::sqrt(innovation.distance_squared);
-    innovation.weight           = options.robustness.weight(distance, node.time_s >= gated_from_s);
+    innovation.weight           = options.robustness.weight(
+                  distance, node.time_s >= gated_from_s || residual.norm() > sensor_.largest_residual(observation.kind));
     if (learned && distance < options.robustness.gate)
       level.learn(residual.squaredNorm() / static_cast<double>(m),
                   innovation.standard_deviation.head(m).squaredNorm() / static_cast<double>(m) - sigma * sigma);

@@ -86,7 +86,8 @@ namespace swimtwin
     bool predict(double from_s, double to_s, Belief &belief);
 
     FilterOptions options;
-    /// Before this instant nothing is taken for an outlier: far off is what little is known of the parameters.
+    /// Before this instant little is known of the parameters: an outlier is what is beyond the sensor's largest
+    /// residual, not what is beyond the gate.
     double gated_from_s = -1e300;
 
   private:

@@ -29,6 +29,13 @@ namespace swimtwin
     return kind == head_angle ? first_sigmas_.angle_rad : first_sigmas_.position_m;
   }
 
+  /// A fifth of the way to and fro, and half a swing.
+  double CameraSensor::largest_residual(const int kind) const
+  {
+    constexpr double swing_rad = 0.5, way = 0.1; // body lengths
+    return kind == head_angle ? swing_rad : way * process_.swimmer().length_m();
+  }
+
   CameraSensor::View CameraSensor::view(const Eigen::VectorXd &state) const
   {
     const TwinLayout &layout = process_.layout();

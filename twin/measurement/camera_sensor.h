@@ -30,6 +30,7 @@ namespace swimtwin
 
     Eigen::Index n_rows(const Sighting &observation) const override;
     double       first_sigma(int kind) const override;
+    double       largest_residual(int kind) const override;
     void         look(const Sighting &observation, double time_s, const Eigen::VectorXd &state,
                       Eigen::Ref<Eigen::VectorXd> residual, Eigen::Ref<Eigen::MatrixXd> slopes) override;
 

@@ -47,6 +47,7 @@ namespace swimtwin
     session.started_s         = memory.started_s;
     session.quiet_until_s     = memory.quiet_until_s;
     session.last_used_s       = memory.last_used_s;
+    session.gated_from_s      = memory.gated_from_s;
     session.reference_delay_s = memory.reference_delay_s;
     session.at_window_start   = memory.at_window_start;
     session.kept_parameters   = memory.kept_parameters;
@@ -65,6 +66,7 @@ namespace swimtwin
     memory.started_s         = session.started_s;
     memory.quiet_until_s     = session.quiet_until_s;
     memory.last_used_s       = session.last_used_s;
+    memory.gated_from_s      = session.gated_from_s;
     memory.reference_delay_s = session.reference_delay_s;
     memory.at_window_start   = session.at_window_start;
     memory.kept_parameters   = session.kept_parameters;

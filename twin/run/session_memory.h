@@ -56,8 +56,9 @@ namespace swimtwin
     double                         next_forecast_s = 0., next_open_s = 0.;
     std::vector<RememberedProgram> programs;
     Eigen::MatrixXd                samples; ///< rows: time, bx, by, sigma
-    double window_start_s = 0., started_s = 0., quiet_until_s = 0., last_used_s = 0., reference_delay_s = 0.;
-    Belief at_window_start;
+    double window_start_s = 0., started_s = 0., quiet_until_s = 0., last_used_s = 0., gated_from_s = 0.,
+           reference_delay_s = 0.;
+    Belief                  at_window_start;
     std::optional<Belief>   kept_parameters;
     std::vector<NoiseLevel> noise_levels;
     Eigen::MatrixXd         frames, start_frames; ///< rows: time, kind, value x, value y, sigma, place
@@ -75,6 +76,7 @@ namespace swimtwin
     visit("started_s", v.started_s);
     visit("quiet_until_s", v.quiet_until_s);
     visit("last_used_s", v.last_used_s);
+    visit("gated_from_s", v.gated_from_s);
     visit("reference_delay_s", v.reference_delay_s);
     visit("at_window_start", v.at_window_start);
     visit("kept_parameters", v.kept_parameters);

@@ -199,6 +199,24 @@ namespace swimtwin
                   nlohmann::json::parse(lines.back())["x_m"].get<double>() + 0.03, 2e-4);
     }
 
+    TEST(TwinSession, IsNotLedAstrayByOutliersAtTheStart)
+    {
+      KeptSession kept(model(), twin_config(model(), plain_twin));
+      auto        lines = lab_lines(model(), short_lab);
+      for (const std::size_t i : {3U, 5U, 8U, 11U})
+      {
+        auto json         = nlohmann::json::parse(lines[i]);
+        json["x_m"]       = json["x_m"].get<double>() + 0.004;
+        json["angle_rad"] = json["angle_rad"].get<double>() + 2.;
+        lines[i]          = json.dump();
+      }
+      kept.take_all(lines);
+      const auto magnet = kept.of_type("estimate").back()["parameters"]["magnetization_over_viscosity_A_m_Pa_s"];
+      const auto truth  = open_parameters(model());
+      EXPECT_NEAR(magnet["value"].get<double>() / (truth.magnetization_A_m / truth.viscosity_Pa_s), 1., 0.02);
+      EXPECT_TRUE(kept.alarms().empty());
+    }
+
     TEST(TwinSession, TakesAFieldThatWasMeasured)
     {
       KeptSession kept(model(), twin_config(model(), "[filter]\nlargest_step_s = 0.03\n"));
