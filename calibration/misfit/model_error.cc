@@ -1,3 +1,4 @@
+#include <datasets/reduced/held_out_error.h>
 #include <calibration/misfit/model_error.h>
 
 #include <rom/swimmer/dense_algebra.h>
@@ -29,14 +30,6 @@ namespace swimtwin
     }
   } // namespace
 
-  double held_out_error(const TrainingRecord &record)
-  {
-    double sum = 0.;
-    for (const HeldOutRun &run : record.held_out_runs)
-      sum += std::pow(run.reduced_displacement_m / run.displacement_m - 1., 2);
-    return record.held_out_runs.empty() ? 0. : std::sqrt(sum / static_cast<double>(record.held_out_runs.size()));
-  }
-
   double held_out_indicator(const TrainingRecord &record)
   {
     double largest = 0.;
@@ -49,7 +42,7 @@ namespace swimtwin
                          const Eigen::VectorXd &growth)
   {
     ModelError error;
-    error.relative_size = given.value_or(held_out_error(record));
+    error.relative_size = given.value_or(displacement_error(record).rms);
     if (error.relative_size > 0.)
       error.origin = given ? "given" : "held-out runs";
     error.size = error.relative_size * growth;

@@ -21,9 +21,7 @@ namespace swimtwin
     int n_components() const { return static_cast<int>(factor.cols()); }
   };
 
-  /// Root mean square of the relative errors of the runs that the model was not trained on; 0 without any.
-  double held_out_error(const TrainingRecord &record);
-  /// Largest error indicator over displacement among them; 0 without any.
+  /// Largest error indicator over displacement among the runs that the model was not trained on; 0 without any.
   double held_out_indicator(const TrainingRecord &record);
 
   /// `growth`: how many times larger than in held-out runs the error is at each observation, at least 1.

@@ -51,8 +51,7 @@ namespace swimtwin
   }
 
   SwimmerTwin::SwimmerTwin(const ReducedModel &model, const TwinOptions &options)
-      : options_(options), model_(model), swimmer_(model_), axis_(model_.tail),
-        layout_(options.parameters, swimmer_.n_states()),
+      : options_(options), swimmer_(model), axis_(model.tail), layout_(options.parameters, swimmer_.n_states()),
         process_(swimmer_, options.nominal, layout_, field_, options.noise, options.largest_step_s),
         camera_(process_, axis_, options.first_sigmas), filter_(process_, camera_, options.filter),
         hypotheses_(jump_hypotheses(layout_, swimmer_.length_m()))

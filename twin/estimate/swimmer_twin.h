@@ -60,7 +60,6 @@ namespace swimtwin
     const CameraSensor   &camera() const { return camera_; }
     CameraSensor         &camera() { return camera_; }
     const ReducedSwimmer &swimmer() const { return swimmer_; }
-    const TailAxis       &axis() const { return axis_; }
     const TwinOptions    &options() const { return options_; }
 
     /// The alarm that the last frame raised, if it did; the estimate has been widened to follow.
@@ -97,7 +96,6 @@ namespace swimtwin
     void   look_for_pose();
 
     TwinOptions    options_;
-    ReducedModel   model_;
     ReducedSwimmer swimmer_;
     TailAxis       axis_;
     FieldSignal    field_;

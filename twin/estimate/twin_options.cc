@@ -1,3 +1,4 @@
+#include <datasets/reduced/held_out_error.h>
 #include <twin/estimate/twin_options.h>
 
 #include <algorithm>
@@ -8,14 +9,11 @@ namespace swimtwin
 {
   namespace
   {
-    /// Root mean square of the relative errors in the held-out runs; a model without any is taken to be 1 % off.
+    /// Of the displacement in the held-out runs; a model without any is taken to be 1 % off.
     double held_out_error(const ReducedModel &model)
     {
-      double sum = 0.;
-      for (const HeldOutRun &run : model.record.held_out_runs)
-        sum += std::pow(run.reduced_displacement_m / run.displacement_m - 1., 2);
-      const auto n = static_cast<double>(model.record.held_out_runs.size());
-      return n > 0. ? std::max(1e-3, std::sqrt(sum / n)) : 0.01;
+      const HeldOutError error = displacement_error(model.record);
+      return error.n_runs > 0 ? std::max(1e-3, error.rms) : 0.01;
     }
 
     /// In a period the model is off by this share of what moves in it: of half a body length's way to and fro, of a

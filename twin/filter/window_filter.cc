@@ -259,14 +259,6 @@ namespace swimtwin
     std::erase_if(widenings_, [this](const Widening &w) { return w.time_s <= node(0).time_s; });
   }
 
-  double WindowFilter::log_likelihood() const
-  {
-    double sum = 0.;
-    for (int i = 0; i < n_nodes_; ++i)
-      sum += node(i).log_likelihood;
-    return sum;
-  }
-
   bool WindowFilter::predict(const double time_s, Belief &belief)
   {
     belief = latest().filtered;

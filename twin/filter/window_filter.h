@@ -80,7 +80,6 @@ namespace swimtwin
     int               n_nodes() const { return n_nodes_; }
     const FilterNode &node(const int i) const { return nodes_[static_cast<std::size_t>(i)]; }
     const FilterNode &latest() const { return node(n_nodes_ - 1); }
-    double            log_likelihood() const; ///< of the window
     /// The belief carried to a later instant; nothing is kept. False if there is no way on.
     bool predict(double time_s, Belief &belief);
     bool predict(double from_s, double to_s, Belief &belief);

@@ -149,10 +149,9 @@ namespace swimtwin
 
   LabConfig read_lab_config(const std::filesystem::path &file, const ReducedModel &model)
   {
-    const Scene scene = parse_scene(model.scene_text, model.scene_name + ".toml");
-    LabConfig   config;
-    config.text = read_decoded_text(file, "the laboratory");
-    const TomlDocument document(config.text, file.string(), {});
+    const Scene        scene = parse_scene(model.scene_text, model.scene_name + ".toml");
+    LabConfig          config;
+    const TomlDocument document(read_decoded_text(file, "the laboratory"), file.string(), {});
     TomlTable          top(document, "");
     int                seed = 1;
     top.integer("seed", {"", not_negative}, seed);

@@ -12,7 +12,6 @@ namespace swimtwin
 {
   struct LabConfig
   {
-    std::string       text;
     LaboratoryOptions options;
     double            bx_T = 0., by_T = 0., frequency_Hz = 0.;
     double            duration_s   = 60.;

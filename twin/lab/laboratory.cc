@@ -27,7 +27,7 @@ namespace swimtwin
   } // namespace
 
   Laboratory::Laboratory(const ReducedSwimmer &swimmer, const TailAxis &axis, const LaboratoryOptions &options)
-      : swimmer_(swimmer), options_(options),
+      : options_(options),
         process_(swimmer, options.nominal, TwinLayout(all_in_the_state(options.truth), swimmer.n_states()),
                  is_ideal(options.coils) ? command_ : played_, options.noise, options.largest_step_s),
         camera_(process_, axis, {}), state_(Eigen::VectorXd::Zero(process_.n_states())),
@@ -117,7 +117,7 @@ namespace swimtwin
     const LaboratoryCamera                &camera = options_.camera;
     std::uniform_real_distribution<double> uniform;
     advance(static_cast<double>(++n_frames_) / camera.frames_per_second);
-    CapturedFrame frame{now_s_, now_s_ + state_[layout().place(TwinParameter::camera_delay)], 0., {}};
+    CapturedFrame frame{now_s_ + state_[layout().place(TwinParameter::camera_delay)], 0., {}};
     frame.arrives_s = frame.stamp_s + std::max(0., camera.latency_s + camera.latency_jitter_s * normal_(random_));
     std::vector<Sighting> seen = {noisy(head_position, 0., camera.position_sigma_m)};
     if (camera.sees_angle)

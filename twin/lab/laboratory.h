@@ -12,7 +12,7 @@ namespace swimtwin
   /// A frame as it is sent.
   struct CapturedFrame
   {
-    double                captured_s = 0., stamp_s = 0., arrives_s = 0.;
+    double                stamp_s = 0., arrives_s = 0.;
     std::vector<Sighting> observations; ///< empty: the camera sent nothing
   };
 
@@ -43,16 +43,15 @@ namespace swimtwin
     void     play_coils(double to_s);
     Sighting noisy(int kind, double place, double sigma);
 
-    const ReducedSwimmer &swimmer_;
-    LaboratoryOptions     options_;
-    FieldSignal           command_, played_;
-    TwinProcess           process_;
-    CameraSensor          camera_;
-    Eigen::VectorXd       state_;
-    Eigen::MatrixXd       transition_, noise_;
-    Eigen::Vector2d       coil_T_ = Eigen::Vector2d::Zero();
-    double                now_s_ = 0., coils_s_ = 0.;
-    long                  n_frames_ = 0;
+    LaboratoryOptions options_;
+    FieldSignal       command_, played_;
+    TwinProcess       process_;
+    CameraSensor      camera_;
+    Eigen::VectorXd   state_;
+    Eigen::MatrixXd   transition_, noise_;
+    Eigen::Vector2d   coil_T_ = Eigen::Vector2d::Zero();
+    double            now_s_ = 0., coils_s_ = 0.;
+    long              n_frames_ = 0;
 
     std::mt19937_64                  random_;
     std::normal_distribution<double> normal_;

@@ -34,7 +34,6 @@ namespace swimtwin
     double          sigma_T(double time_s) const;
     /// Of the drive that plays at this instant; 0 without one.
     double frequency_Hz(double time_s) const;
-    bool   is_empty() const { return programs_.empty() && samples_.empty(); }
 
     struct Program
     {

@@ -144,7 +144,7 @@ namespace swimtwin
       TwinSession                session_;
       std::optional<LocalServer> server_;
       bool                       is_silent_    = false;
-      double                     last_line_s_  = 0.;
+      double                     last_line_s_  = wall_time_s(); ///< as if one had come now
       int                        n_since_save_ = 0;
     };
   } // namespace

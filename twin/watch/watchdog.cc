@@ -1,4 +1,3 @@
-#include <rom/sweep/trained_ratios.h>
 #include <twin/watch/watchdog.h>
 
 #include <boost/math/distributions/chi_squared.hpp>
@@ -38,8 +37,8 @@ namespace swimtwin
 
   Watchdog::Watchdog(const SwimmerTwin &twin, const ReducedModel &model, const WatchOptions &options,
                      const double drive_period_s)
-      : twin_(twin), range_(model.range), domain_(parse_scene(model.scene_text, model.scene_name + ".toml").domain),
-        options_(options), period_s_(drive_period_s)
+      : twin_(twin), domain_(parse_scene(model.scene_text, model.scene_name + ".toml").domain), options_(options),
+        period_s_(drive_period_s)
   {
   }
 

@@ -50,7 +50,6 @@ namespace swimtwin
     void judge_sight(double time_s, std::vector<Alarm> &changes);
 
     const SwimmerTwin    &twin_;
-    TrainedRange          range_;
     std::optional<Domain> domain_;
     WatchOptions          options_;
     double                period_s_;

@@ -1,4 +1,6 @@
 #include <calibration/misfit/model_error.h>
+
+#include <datasets/reduced/held_out_error.h>
 #include <tests/calibration/synthetic_curve.h>
 
 #include <Eigen/Eigenvalues>
@@ -71,7 +73,7 @@ namespace swimtwin
   TEST(ModelError, OfHeldOutRunsIsTheirRootMeanSquareAndLargestIndicator)
   {
     TrainingRecord record;
-    EXPECT_EQ(held_out_error(record), 0.);
+    EXPECT_EQ(displacement_error(record).rms, 0.);
     EXPECT_EQ(held_out_indicator(record), 0.);
     record.held_out_runs.resize(2);
     record.held_out_runs[0].displacement_m         = -2e-4; // backwards counts by its size
@@ -80,7 +82,7 @@ namespace swimtwin
     record.held_out_runs[1].displacement_m         = 1e-4;
     record.held_out_runs[1].reduced_displacement_m = 0.96e-4;
     record.held_out_runs[1].indicator_m            = 1e-6;
-    EXPECT_NEAR(held_out_error(record), std::sqrt((0.03 * 0.03 + 0.04 * 0.04) / 2.), 1e-12);
+    EXPECT_NEAR(displacement_error(record).rms, std::sqrt((0.03 * 0.03 + 0.04 * 0.04) / 2.), 1e-12);
     EXPECT_NEAR(held_out_indicator(record), 0.02, 1e-12);
   }
 } // namespace swimtwin
