@@ -9,10 +9,10 @@
 #include <datasets/system/error.h>
 #include <fom/body/nodal_vector.h>
 #include <fom/run/run_recorder.h>
-#include <rom/sweep/sweep.h>
 #include <rom/swimmer/dense_algebra.h>
 #include <rom/training/bent_tail.h>
 #include <rom/training/explored_shapes.h>
+#include <rom/training/held_out_runs.h>
 #include <rom/training/sampled_shapes.h>
 #include <rom/training/training_runs.h>
 
@@ -80,15 +80,8 @@ namespace swimtwin
             model_(read_reduced_model(trained / "model.h5")),
             space_(make_tail_space(RunRecorder<2>(scene_).snapshots(swimmer_)))
       {
-        const auto      sets = training_sets(trained);
-        Eigen::MatrixXd seen(space_.nodes_m.size(), 0);
-        for (const auto &set : sets)
-        {
-          const Eigen::Index m = seen.cols();
-          seen.conservativeResize(Eigen::NoChange, m + set.tail_displacement_m.rows());
-          seen.rightCols(set.tail_displacement_m.rows()) = set.tail_displacement_m.transpose();
-        }
-        basis_ = basis_of(swimmer_, model_, seen);
+        const auto sets = training_sets(trained);
+        basis_          = basis_of(swimmer_, model_, space_.displacements(sets));
         if (scene_.domain->moves_with_swimmer)
           place_ = {0., Eigen::VectorXd::Zero(basis_.n_coordinates())};
         else
@@ -138,28 +131,11 @@ namespace swimtwin
           shares.height = displacement(Source::full_order_at_usual_height);
           shares.usual  = displacement(Source::full_order_in_usual_place);
         }
-        shares.model = predicted(member);
+        shares.model = predict(model_, scene_, member).displacement_m;
         return shares;
       }
 
     private:
-      double predicted(const RunParameters &p) const
-      {
-        SweepOptions options = sweep_options(scene_, model_);
-        options.periodic     = false;
-        options.n_threads    = 1;
-        return sweep(model_,
-                     {{p.young_modulus_Pa},
-                      {p.viscosity_Pa_s},
-                      {p.magnetization_A_m},
-                      {p.bx_T},
-                      {p.by_T},
-                      {p.frequency_Hz}},
-                     options)
-            .front()
-            .displacement_m;
-      }
-
       /// Of the coordinates, when the tail deforms at this rate.
       Eigen::VectorXd rate_of(const Eigen::VectorXd &shape, const Eigen::VectorXd &rate) const
       {

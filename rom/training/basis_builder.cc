@@ -1,6 +1,5 @@
 #include <rom/training/basis_builder.h>
 
-#include <datasets/system/error.h>
 #include <rom/swimmer/dense_algebra.h>
 
 #include <algorithm>
@@ -30,10 +29,7 @@ namespace swimtwin
 
   void BasisBuilder::add(const SnapshotSet &set, const std::string &origin)
   {
-    if (set.tail_nodes_m.rows() != space_.nodes_m.rows() ||
-        (set.tail_nodes_m - space_.nodes_m).cwiseAbs().maxCoeff() > 1e-12 * space_.nodes_m.cwiseAbs().maxCoeff())
-      throw InputError(origin + " has another tail mesh than the scene: snapshots that are used together need the " +
-                       "same [tail] shape and mesh sizes");
+    space_.require_same_mesh(set, origin);
     const Eigen::MatrixXd X = set.tail_displacement_m.transpose(), mirror = space_.mirrored(X);
     odd_.add((X - mirror) / 2.);
     even_.add((X + mirror) / 2.);

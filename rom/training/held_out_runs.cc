@@ -2,7 +2,6 @@
 
 #include <datasets/system/error.h>
 #include <datasets/run/run_summary_json.h>
-#include <rom/sweep/sweep.h>
 
 #include <fmt/format.h>
 
@@ -37,24 +36,21 @@ namespace swimtwin
         displacements.push_back(displacement_of_last_period(folder / "summary.json"));
       return displacements;
     }
-
-    SweepResult predict(const ReducedModel &model, const Scene &scene, const RunParameters &p)
-    {
-      SweepOptions options = sweep_options(scene, model);
-      options.n_periods    = n_periods;
-      options.periodic     = false;
-      options.n_threads    = 1;
-      return sweep(model,
-                   {{p.young_modulus_Pa},
-                    {p.viscosity_Pa_s},
-                    {p.magnetization_A_m},
-                    {p.bx_T},
-                    {p.by_T},
-                    {p.frequency_Hz}},
-                   options)
-          .front();
-    }
   } // namespace
+
+  SweepResult predict(const ReducedModel &model, const Scene &scene, const RunParameters &parameters)
+  {
+    const auto  &p       = parameters;
+    SweepOptions options = sweep_options(scene, model);
+    options.n_periods    = n_periods;
+    options.periodic     = false;
+    options.n_threads    = 1;
+    return sweep(
+               model,
+               {{p.young_modulus_Pa}, {p.viscosity_Pa_s}, {p.magnetization_A_m}, {p.bx_T}, {p.by_T}, {p.frequency_Hz}},
+               options)
+        .front();
+  }
 
   std::vector<HeldOutRun> compare_with_full_order(const ReducedModel &model, const Scene &scene,
                                                   const std::vector<RunParameters> &members,

@@ -87,6 +87,29 @@ namespace swimtwin
     return space;
   }
 
+  Eigen::MatrixXd TailSpace::displacements(const std::vector<SnapshotSet> &sets) const
+  {
+    Eigen::Index n = 0;
+    for (const auto &set : sets)
+      n += set.tail_displacement_m.rows();
+    Eigen::MatrixXd X(nodes_m.size(), n);
+    Eigen::Index    first = 0;
+    for (const auto &set : sets)
+    {
+      X.middleCols(first, set.tail_displacement_m.rows()) = set.tail_displacement_m.transpose();
+      first += set.tail_displacement_m.rows();
+    }
+    return X;
+  }
+
+  void TailSpace::require_same_mesh(const SnapshotSet &set, const std::string &origin) const
+  {
+    if (set.tail_nodes_m.rows() != nodes_m.rows() ||
+        (set.tail_nodes_m - nodes_m).cwiseAbs().maxCoeff() > 1e-12 * nodes_m.cwiseAbs().maxCoeff())
+      throw InputError(origin + " has another tail mesh than the scene: snapshots that are used together need the " +
+                       "same [tail] shape and mesh sizes");
+  }
+
   Eigen::MatrixXd TailSpace::mirrored(const Eigen::MatrixXd &fields) const
   {
     Eigen::MatrixXd result(fields.rows(), fields.cols());

@@ -7,6 +7,7 @@
 #include <Eigen/Sparse>
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace swimtwin
@@ -51,6 +52,10 @@ namespace swimtwin
     Eigen::SparseMatrix<double> mean_product;
     std::vector<int>            mirror;
 
+    /// Displacements of the tail that were saved on these nodes, one per column, of one set after the other.
+    Eigen::MatrixXd displacements(const std::vector<SnapshotSet> &sets) const;
+    /// Throws InputError naming `origin` if the set has another tail mesh.
+    void require_same_mesh(const SnapshotSet &set, const std::string &origin) const;
     /// Fields (interleaved components, one per column) under the mirror.
     Eigen::MatrixXd mirrored(const Eigen::MatrixXd &fields) const;
     /// Amplitudes of orthonormal fields (columns) in others.

@@ -56,14 +56,26 @@ namespace swimtwin
     private:
       void take_snapshots()
       {
-        TrainingRunOptions runs = run_options("runs", "full-order runs");
-        runs.overrides          = {"time.periods=2", fmt::format("time.steps_per_period={}", options_.steps_per_period),
-                                   "output.snapshots_per_period=30", "output.fields_per_period=0"};
+        const auto         given = read_sets(options_.snapshots); // refused now rather than after the runs
+        TrainingRunOptions runs  = run_options("runs", "full-order runs");
+        runs.overrides = {"time.periods=2", fmt::format("time.steps_per_period={}", options_.steps_per_period),
+                          "output.snapshots_per_period=30", "output.fields_per_period=0"};
         for (const auto &folder : run_full_order(scene_, training_design(options_.range), runs, communicator_))
           sources_.push_back(folder / "snapshots.h5");
+        sets_ = read_sets(sources_);
         sources_.insert(sources_.end(), options_.snapshots.begin(), options_.snapshots.end());
-        for (const auto &file : sources_)
-          sets_.push_back(read_snapshots(file));
+        sets_.insert(sets_.end(), given.begin(), given.end());
+      }
+
+      std::vector<SnapshotSet> read_sets(const std::vector<std::filesystem::path> &files) const
+      {
+        std::vector<SnapshotSet> sets;
+        for (const auto &file : files)
+        {
+          sets.push_back(read_snapshots(file));
+          space_.require_same_mesh(sets.back(), file.string());
+        }
+        return sets;
       }
 
       TrainingRunOptions run_options(const std::string &folder, const std::string &stage) const
@@ -75,31 +87,30 @@ namespace swimtwin
 
       void choose_basis()
       {
-        const TailStiffness stiffness(swimmer_, space_);
-        BasisBuilder        builder(space_, stiffness, communicator_);
-        if (options_.basis == BasisChoice::pod)
-          for (std::size_t k = 0; k < sets_.size(); ++k)
-            builder.add(sets_[k], sources_[k].string());
         if (options_.basis == BasisChoice::bending)
           choose_bending();
         else
-          basis_ = builder.compute(options_.n_coordinates, options_.n_followers);
+          choose_modes();
         n_snapshots_ = 0;
         for (const auto &set : sets_)
           n_snapshots_ += static_cast<int>(set.tail_displacement_m.rows());
         rest_ = {Eigen::VectorXd::Zero(basis_.n_coordinates()), 0., 0., 0.};
       }
 
+      void choose_modes()
+      {
+        const TailStiffness stiffness(swimmer_, space_);
+        BasisBuilder        builder(space_, stiffness, communicator_);
+        if (options_.basis == BasisChoice::pod)
+          for (std::size_t k = 0; k < sets_.size(); ++k)
+            builder.add(sets_[k], sources_[k].string());
+        basis_ = builder.compute(options_.n_coordinates, options_.n_followers);
+      }
+
       void choose_bending()
       {
-        Eigen::MatrixXd X(tail_.tail_nodes_m.size(), 0);
-        for (const auto &set : sets_)
-        {
-          const Eigen::Index m = X.cols();
-          X.conservativeResize(Eigen::NoChange, m + set.tail_displacement_m.rows());
-          X.rightCols(set.tail_displacement_m.rows()) = set.tail_displacement_m.transpose();
-        }
-        BendingCoordinates coordinates(swimmer_);
+        const Eigen::MatrixXd X = space_.displacements(sets_);
+        BendingCoordinates    coordinates(swimmer_);
         coordinates.choose_modes(X, options_.n_coordinates);
         basis_.bent = std::make_shared<const BentTail>(
             fit_bent_tail(swimmer_, space_, coordinates, coordinates.of(X), communicator_,

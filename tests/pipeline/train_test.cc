@@ -86,4 +86,16 @@ namespace swimtwin
     refuse({"open-2d", "--snapshots", "nothing.h5"}, {"nothing.h5"});
     EXPECT_FALSE(std::filesystem::exists("unused"));
   }
+
+  TEST(Train, RefusesSnapshotsOfAnotherTailMeshBeforeItsRuns)
+  {
+    const TemporaryFolder folder;
+    ASSERT_EQ(simulate(coarse_swimmer(20, 0.1).with({"numerics.mesh_size_m=6e-4"}), folder.path / "run").exit_code, 0);
+    const auto model = folder.path / "model";
+    for (const char *basis : {"bending", "pod", "elastic"})
+      expect_failure(run_tool(train_arguments(
+                         model, {"--basis", basis, "--snapshots", (folder.path / "run/snapshots.h5").string()})),
+                     2, {"run/snapshots.h5", "another tail mesh"});
+    EXPECT_FALSE(std::filesystem::exists(model / "runs"));
+  }
 } // namespace swimtwin
