@@ -62,6 +62,7 @@ namespace
     void try_mutant(const FuzzedReader &reader, const unsigned int seed)
     {
       const fs::path folder = request_.keep / "now";
+      fs::remove_all(folder);
       fs::create_directories(folder);
       RandomNumbers random(seed);
       write_mutant(reader, folder / reader.file_name, random);
