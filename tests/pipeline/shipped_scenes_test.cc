@@ -17,16 +17,27 @@ namespace swimtwin
       return names;
     }
 
-    /// Its own quick size; else a few steps on coarse meshes: of a periodic field 2 of its first 20 steps, without one
-    /// all that there are, and with inertia the first five.
+    std::filesystem::path file_of(const std::string &name)
+    {
+      return std::filesystem::path(places::scenes) / (name + ".toml");
+    }
+
+    std::vector<std::string> quick_scenes()
+    {
+      std::vector<std::string> names = shipped_scenes();
+      std::erase_if(names, [](const std::string &name) {
+        return content(file_of(name)).find("[variants.quick]") == std::string::npos;
+      });
+      return names;
+    }
+
+    /// A few steps on coarse meshes: of a periodic field or motion 2 of its first 20 steps, without one all that there
+    /// are, and with inertia the first five.
     ShrunkScene shrunk(const std::string &name)
     {
-      const std::filesystem::path file = std::filesystem::path(places::scenes) / (name + ".toml");
-      if (content(file).find("[variants.quick]") != std::string::npos)
-        return {name, {"variant=quick"}};
       const ShrunkScene whole{name, {"numerics.mesh_growth=0.6"}};
-      const Scene       scene = read_scene(file);
-      if (scene.field.period_s() > 0.)
+      const Scene       scene = read_scene(file_of(name));
+      if (scene.field.period_s() > 0. || scene.head.is_driven() || (scene.tail && scene.tail->is_driven()))
         return whole.with({"time.periods=0.1", "time.steps_per_period=20"});
       if (scene.time.is_steady)
         return whole;
@@ -36,7 +47,29 @@ namespace swimtwin
                          "time.duration_s=" + std::to_string(scene.time.period_s)});
     }
 
+    std::string test_name(const testing::TestParamInfo<std::string> &test)
+    {
+      std::string name = test.param;
+      std::replace(name.begin(), name.end(), '-', '_');
+      return name;
+    }
+
+    void expect_run(const std::string &name, const ShrunkScene &scene)
+    {
+      const TemporaryFolder folder;
+      ASSERT_EQ(simulate(scene, folder.path).exit_code, 0);
+      const Motion motion = read_motion(folder.path);
+      EXPECT_EQ(motion.summary.status, "completed");
+      EXPECT_GE(motion.trajectory.size(), 2);
+      const bool has_tail = read_scene(file_of(name)).tail.has_value();
+      EXPECT_EQ(std::filesystem::exists(folder.path / "snapshots.h5"), has_tail);
+    }
+
     class ShippedScene : public testing::TestWithParam<std::string>
+    {
+    };
+
+    class QuickScene : public testing::TestWithParam<std::string>
     {
     };
   } // namespace
@@ -50,19 +83,14 @@ namespace swimtwin
 
   TEST_P(ShippedScene, Runs)
   {
-    const ShrunkScene     scene = shrunk(GetParam());
-    const TemporaryFolder folder;
-    ASSERT_EQ(simulate(scene, folder.path).exit_code, 0);
-    const Motion motion = read_motion(folder.path);
-    EXPECT_EQ(motion.summary.status, "completed");
-    EXPECT_GE(motion.trajectory.size(), 2);
-    const bool has_tail = read_scene(std::filesystem::path(places::scenes) / (GetParam() + ".toml")).tail.has_value();
-    EXPECT_EQ(std::filesystem::exists(folder.path / "snapshots.h5"), has_tail);
+    expect_run(GetParam(), shrunk(GetParam()));
   }
 
-  INSTANTIATE_TEST_SUITE_P(All, ShippedScene, testing::ValuesIn(shipped_scenes()), [](const auto &test) {
-    std::string name = test.param;
-    std::replace(name.begin(), name.end(), '-', '_');
-    return name;
-  });
+  TEST_P(QuickScene, Runs)
+  {
+    expect_run(GetParam(), {GetParam(), {"variant=quick"}});
+  }
+
+  INSTANTIATE_TEST_SUITE_P(All, ShippedScene, testing::ValuesIn(shipped_scenes()), test_name);
+  INSTANTIATE_TEST_SUITE_P(All, QuickScene, testing::ValuesIn(quick_scenes()), test_name);
 } // namespace swimtwin
