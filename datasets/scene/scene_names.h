@@ -24,6 +24,19 @@ namespace swimtwin
   inline constexpr std::array<std::pair<std::string_view, HeadShape>, 3> head_shapes_in_space{
       {{"cylinder", HeadShape::rectangle}, {"sphere", HeadShape::disc}, {"ellipsoid", HeadShape::ellipse}}};
 
+  /// What the scenes of a dimension call the shapes of a head.
+  inline const auto &head_shapes(const int dimension)
+  {
+    return dimension == 3 ? head_shapes_in_space : Names<HeadShape>::list;
+  }
+  inline std::string_view name_of(const HeadShape shape, const int dimension)
+  {
+    for (const auto &[word, value] : head_shapes(dimension))
+      if (value == shape)
+        return word;
+    return {};
+  }
+
   /// The shapes that a domain may have in the plane, and in space.
   inline constexpr std::array<std::pair<std::string_view, DomainShape>, 4> domain_shapes_in_plane{
       {{"box", DomainShape::box},
@@ -124,8 +137,6 @@ namespace swimtwin
          {"weighted-harmonic", MeshMotion::weighted_harmonic},
          {"harmonic", MeshMotion::harmonic}}};
   };
-
-  /// What a swimmer's head may do: the words of `[head] motion`.
 
   template <>
   struct Names<HeadMotion>

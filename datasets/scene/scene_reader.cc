@@ -133,10 +133,8 @@ namespace swimtwin
       TomlTable             table(document, "domain");
       Domain                domain;
       std::array<double, 3> size_m{0., 0., 0.};
-      if (dimension == 3)
-        table.choice("shape", Need::required, domain_shapes_in_space, domain.shape);
-      else
-        table.choice("shape", Need::required, domain_shapes_in_plane, domain.shape);
+      table.choice("shape", Need::required, dimension == 3 ? domain_shapes_in_space : domain_shapes_in_plane,
+                   domain.shape);
       table.pair("center_m", optional("m", any_number), domain.center_m);
       if (dimension == 3)
       {
@@ -186,10 +184,7 @@ namespace swimtwin
       TomlTable table(document, "head");
       Head      head;
       double    diameter_m = 0.;
-      if (dimension == 3)
-        table.choice("shape", Need::required, head_shapes_in_space, head.shape);
-      else
-        read_choice(table, "shape", head.shape, Need::required);
+      table.choice("shape", Need::required, head_shapes(dimension), head.shape);
       table.pair("size_m", optional("m"), head.size_m);
       table.number("diameter_m", optional("m"), diameter_m);
       table.pair("center_m", optional("m", any_number), head.center_m);

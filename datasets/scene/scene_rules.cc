@@ -40,9 +40,7 @@ namespace swimtwin
     {
       const bool        disc  = head.shape == HeadShape::disc;
       const std::string other = disc ? "size_m" : "diameter_m", needed = disc ? "diameter_m" : "size_m";
-      const auto        in_space = std::find_if(head_shapes_in_space.begin(), head_shapes_in_space.end(),
-                                                [&](const auto &name) { return name.second == head.shape; });
-      const std::string shape(dimension == 3 ? in_space->first : to_string(head.shape));
+      const std::string shape(name_of(head.shape, dimension));
       refuse_entry(document, "head", other, fmt::format("does not belong to the shape {}; give {}.", shape, needed));
       need_entry(document, "head", needed, fmt::format("the shape {} needs it, in m", shape));
     }

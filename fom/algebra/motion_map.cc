@@ -247,10 +247,9 @@ namespace swimtwin
   template <int dim>
   std::vector<double> MotionMap<dim>::expand(const std::vector<double> &unknowns) const
   {
-    std::vector<double> values = imposed;
+    std::vector<double> values(n_rows());
     for (unsigned int row = 0; row < n_rows(); ++row)
-      for (const Term *term = begin(row); term != end(row); ++term)
-        values[row] += term->coefficient * unknowns[term->unknown];
+      values[row] = value(row, unknowns);
     return values;
   }
 

@@ -104,6 +104,14 @@ namespace swimtwin
     const Term *begin(const unsigned int row) const { return terms_.data() + first_term_[row]; }
     const Term *end(const unsigned int row) const { return terms_.data() + first_term_[row + 1]; }
 
+    /// One row from the unknowns.
+    double value(const unsigned int row, const std::vector<double> &unknowns) const
+    {
+      double sum = imposed[row];
+      for (const Term *term = begin(row); term != end(row); ++term)
+        sum += term->coefficient * unknowns[term->unknown];
+      return sum;
+    }
     /// All rows from the unknowns: P y + imposed.
     std::vector<double> expand(const std::vector<double> &unknowns) const;
     /// Add P^T of a load on one row.

@@ -340,10 +340,9 @@ namespace swimtwin
   template <int dim>
   CoupledVelocities<dim> CoupledSystem<dim>::velocities(const std::vector<double> &unknowns) const
   {
-    CoupledVelocities<dim>    v;
-    const std::vector<double> rows = map_.expand(unknowns);
+    CoupledVelocities<dim> v;
     for (int k = 0; k < n_rigid<dim>; ++k)
-      if (const double value = rows[map_.head_row(k)]; k < dim)
+      if (const double value = map_.value(map_.head_row(k), unknowns); k < dim)
         v.head_velocity[k] = value;
       else
         v.head_omega[k - dim] = value;
@@ -352,7 +351,7 @@ namespace swimtwin
       v.tail.resize(swimmer_.tail().mesh.n_nodes());
       for (unsigned int a = 0; a < v.tail.size(); ++a)
         for (int c = 0; c < dim; ++c)
-          v.tail[a][c] = rows[tail_row(a, c)];
+          v.tail[a][c] = map_.value(tail_row(a, c), unknowns);
     }
     return v;
   }

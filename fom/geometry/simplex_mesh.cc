@@ -33,8 +33,7 @@ namespace swimtwin
         cell_nodes[v] = cell->vertex_index(v);
       for (const auto l : cell->line_indices())
       {
-        std::array<unsigned int, 2> ends = {cell->line(l)->vertex_index(0), cell->line(l)->vertex_index(1)};
-        std::sort(ends.begin(), ends.end());
+        const Edge         ends = edge_between(cell->line(l)->vertex_index(0), cell->line(l)->vertex_index(1));
         const unsigned int line = cell->line(l)->index();
         edges_[line]            = ends;
         cell_nodes[dim + 1 + l] = n_vertices() + line;
@@ -52,7 +51,7 @@ namespace swimtwin
   template <int dim>
   unsigned int SimplexMesh<dim>::edge_node(const unsigned int vertex_a, const unsigned int vertex_b) const
   {
-    return n_vertices() + edge_of_vertices_.at({std::min(vertex_a, vertex_b), std::max(vertex_a, vertex_b)});
+    return n_vertices() + edge_of_vertices_.at(edge_between(vertex_a, vertex_b));
   }
 
   double element_quality(const std::array<Point<2>, 6> &x)

@@ -4,6 +4,7 @@
 #include <deal.II/base/point.h>
 #include <deal.II/distributed/shared_tria.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <memory>
@@ -17,6 +18,13 @@ namespace swimtwin
 
   template <int dim>
   using CellNodes = std::array<unsigned int, n_cell_nodes<dim>>;
+
+  using Edge = std::array<unsigned int, 2>; ///< vertices, the smaller number first
+
+  inline Edge edge_between(const unsigned int a, const unsigned int b)
+  {
+    return {std::min(a, b), std::max(a, b)};
+  }
 
   /// Corners of a mesh as a mesh generator gives them.
   template <int dim>
@@ -44,7 +52,7 @@ namespace swimtwin
     /// Node in the middle of the edge between two vertices.
     unsigned int edge_node(unsigned int vertex_a, unsigned int vertex_b) const;
     /// Ends of each edge, indexed by mid-edge node minus n_vertices().
-    const std::vector<std::array<unsigned int, 2>> &edges() const { return edges_; }
+    const std::vector<Edge> &edges() const { return edges_; }
 
     /// Positions (m) of vertices, then of mid-edge nodes.
     std::vector<dealii::Point<dim>> nodes;
@@ -54,9 +62,18 @@ namespace swimtwin
   private:
     std::unique_ptr<dealii::parallel::shared::Triangulation<dim>> triangulation_; ///< on the heap: others point to it
     std::vector<char>                                             owned_;
-    std::vector<std::array<unsigned int, 2>>                      edges_;
-    std::map<std::array<unsigned int, 2>, unsigned int>           edge_of_vertices_;
+    std::vector<Edge>                                             edges_;
+    std::map<Edge, unsigned int>                                  edge_of_vertices_;
   };
+
+  /// Put every mid-edge node in the middle of its edge: linear displacements turn a cell rigidly only if its edges are
+  /// straight.
+  template <int dim>
+  void straighten(SimplexMesh<dim> &mesh)
+  {
+    for (unsigned int e = 0; e < mesh.edges().size(); ++e)
+      mesh.nodes[mesh.n_vertices() + e] = .5 * (mesh.nodes[mesh.edges()[e][0]] + mesh.nodes[mesh.edges()[e][1]]);
+  }
 
   /// The nodes of one cell, from positions of all nodes.
   template <int dim>

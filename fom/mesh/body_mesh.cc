@@ -26,14 +26,6 @@ namespace swimtwin
         size.push_back(.5 * (loop[k].distance(loop[(k + 2) % n]) + loop[k].distance(loop[(k + n - 2) % n])));
       return size;
     }
-
-    /// A linear tail has straight edges, and the body's surface is its.
-    void straighten(BodyMesh<2> &body)
-    {
-      for (unsigned int k = 0; k < body.surface.nodes.size(); ++k)
-        if (body.tail_node[k] >= 0)
-          body.surface.nodes[k] = body.tail->mesh.nodes[body.tail_node[k]];
-    }
   } // namespace
 
   template <>

@@ -22,6 +22,15 @@ namespace swimtwin
     std::vector<unsigned int> plane_loop; ///< surface nodes on the plane, a closed quadratic loop: vertex, middle, ...
   };
 
+  /// A linear tail has straight edges, and the body's surface is its.
+  template <int dim>
+  void straighten(BodyMesh<dim> &body)
+  {
+    for (unsigned int k = 0; k < body.surface.nodes.size(); ++k)
+      if (body.tail_node[k] >= 0)
+        body.surface.nodes[k] = body.tail->mesh.nodes[body.tail_node[k]];
+  }
+
   /// Collective; throws ComputationError, InvertedElement if an element of the tail is inside out.
   template <int dim>
   BodyMesh<dim> make_body_mesh(const Scene &scene, MPI_Comm communicator);

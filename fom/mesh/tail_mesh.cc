@@ -41,13 +41,6 @@ namespace swimtwin
       }
     }
 
-    /// Linear displacements turn a cell rigidly only if its edges are straight.
-    void straighten(SimplexMesh<2> &mesh)
-    {
-      for (unsigned int e = 0; e < mesh.edges().size(); ++e)
-        mesh.nodes[mesh.n_vertices() + e] = .5 * (mesh.nodes[mesh.edges()[e][0]] + mesh.nodes[mesh.edges()[e][1]]);
-    }
-
     QuadraticCurve mirrored_curve(QuadraticCurve curve)
     {
       for (auto &x : curve)

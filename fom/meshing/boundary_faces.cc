@@ -12,12 +12,6 @@ namespace swimtwin
   namespace
   {
     using Cell = std::array<unsigned int, 4>;
-    using Edge = std::array<unsigned int, 2>;
-
-    Edge edge(const unsigned int a, const unsigned int b)
-    {
-      return {std::min(a, b), std::max(a, b)};
-    }
 
     /// Of a straight tetrahedron: 1 if equilateral, negative if inverted.
     double quality(const Cell &cell, const std::vector<Point<3>> &x)
@@ -38,7 +32,7 @@ namespace swimtwin
       {
         for (const auto &triangle : boundary.triangles)
           for (int v = 0; v < 3; ++v)
-            boundary_.insert(edge(triangle[v], triangle[(v + 1) % 3]));
+            boundary_.insert(edge_between(triangle[v], triangle[(v + 1) % 3]));
       }
 
       /// The edge to divide, if the cell has a bound corner; both ends are the same vertex if there is none.
@@ -49,7 +43,7 @@ namespace swimtwin
           {
             for (int i = 1; i < 4; ++i)
             {
-              const Edge opposite = edge(cell[(corner + i) % 4], cell[(corner + i % 3 + 1) % 4]);
+              const Edge opposite = edge_between(cell[(corner + i) % 4], cell[(corner + i % 3 + 1) % 4]);
               if (!boundary_.count(opposite))
                 return opposite;
             }
@@ -112,7 +106,7 @@ namespace swimtwin
         if (quality(cell, soup_.vertices) < without_volume)
           for (int a = 0; a < 4; ++a)
             for (int b = 0; b < a; ++b)
-              if (const Edge inner = edge(cell[a], cell[b]); !boundary_.count(inner))
+              if (const Edge inner = edge_between(cell[a], cell[b]); !boundary_.count(inner))
                 return inner;
         return std::nullopt;
       }
@@ -124,7 +118,7 @@ namespace swimtwin
         for (int i = 1; i < 4; ++i)
         {
           const unsigned int a = cell[corner], b = cell[(corner + i) % 4];
-          if (!boundary_.count(edge(a, b)))
+          if (!boundary_.count(edge_between(a, b)))
             return false;
           along[i - 1] = (soup_.vertices[b] - soup_.vertices[a]) / soup_.vertices[b].distance(soup_.vertices[a]);
         }
@@ -158,7 +152,48 @@ namespace swimtwin
       SimplexSoup<3> &soup_;
       std::set<Edge>  boundary_;
     };
+    /// The cell that has these two vertices in this order, and its third vertex; there is one inside a region.
+    std::array<unsigned int, 2> cell_across(const SimplexSoup<2> &soup, const unsigned int a, const unsigned int b)
+    {
+      for (unsigned int n = 0; n < soup.cells.size(); ++n)
+        for (int v = 0; v < 3; ++v)
+          if (const auto &cell = soup.cells[n]; cell[v] == a && cell[(v + 1) % 3] == b)
+            return {n, cell[(v + 2) % 3]};
+      return {};
+    }
+
+    /// Divide the edge of cell n that is opposite to its corner v.
+    void divide_opposite_edge(SimplexSoup<2> &soup, const unsigned int n, const int v)
+    {
+      const auto         cell = soup.cells[n];
+      const unsigned int p = cell[v], q = cell[(v + 1) % 3], r = cell[(v + 2) % 3], m = soup.vertices.size();
+      const auto [other, o] = cell_across(soup, r, q);
+      // Between the edge's middle and that of the quadrilateral around it: inside it.
+      soup.vertices.push_back(Point<2>(.4 * (soup.vertices[q] + Tensor<1, 2>(soup.vertices[r])) +
+                                       .1 * (soup.vertices[p] + Tensor<1, 2>(soup.vertices[o]))));
+      soup.cells[n]     = {p, q, m};
+      soup.cells[other] = {o, r, m};
+      soup.cells.push_back({p, m, r});
+      soup.cells.push_back({o, m, q});
+    }
   } // namespace
+
+  void free_corners_from_boundary(SimplexSoup<2> &soup, const std::set<Edge> &boundary)
+  {
+    const auto is_bound = [&](const unsigned int p, const unsigned int q, const unsigned int r) {
+      constexpr double   obtuse = -0.6; // cosine
+      const Tensor<1, 2> a = soup.vertices[q] - soup.vertices[p], b = soup.vertices[r] - soup.vertices[p];
+      return boundary.count(edge_between(p, q)) && boundary.count(edge_between(p, r)) &&
+             !boundary.count(edge_between(q, r)) && a * b < obtuse * a.norm() * b.norm();
+    };
+    for (unsigned int n = 0; n < soup.cells.size(); ++n)
+      for (int v = 0; v < 3; ++v)
+        if (const auto cell = soup.cells[n]; is_bound(cell[v], cell[(v + 1) % 3], cell[(v + 2) % 3]))
+        {
+          divide_opposite_edge(soup, n, v);
+          break;
+        }
+  }
 
   void free_corners_from_boundary(SimplexSoup<3> &soup, const TriangleSurface &boundary)
   {

@@ -12,6 +12,17 @@ namespace swimtwin
   /// it, and makes what is random in it repeatable.
   void begin_gmsh_model();
 
+  /// Largest distance (m) from the first of some points: gmsh's tolerances are absolute, so it sees a region in units
+  /// of its own extent.
+  template <int dim>
+  double extent(const std::vector<dealii::Point<dim>> &points)
+  {
+    double largest = 0.;
+    for (const auto &x : points)
+      largest = std::max(largest, x.distance(points.front()));
+    return largest;
+  }
+
   /// Run a mesh generator on rank 0 and give its mesh to all. Collective; throws ComputationError with what gmsh said
   /// if it fails or there is not one cell.
   template <int dim>

@@ -17,15 +17,6 @@ namespace swimtwin
   {
     constexpr int three_node_triangle = 2, four_node_tetrahedron = 4;
 
-    /// gmsh's tolerances are absolute, so it sees the region in units of its own extent.
-    double extent(const std::vector<Point<3>> &points)
-    {
-      double largest = 0.;
-      for (const auto &x : points)
-        largest = std::max(largest, x.distance(points.front()));
-      return largest;
-    }
-
     /// Nodes get the tags 1, 2, ... in their order.
     void add_surface(const TriangleSurface &surface, const double scale)
     {
@@ -89,13 +80,10 @@ namespace swimtwin
 
     void refuse_open_surface(const TriangleSurface &surface)
     {
-      std::map<std::array<unsigned int, 2>, int> uses;
+      std::map<Edge, int> uses;
       for (const auto &triangle : surface.triangles)
         for (int v = 0; v < 3; ++v)
-        {
-          const unsigned int a = triangle[v], b = triangle[(v + 1) % 3];
-          ++uses[{std::min(a, b), std::max(a, b)}];
-        }
+          ++uses[edge_between(triangle[v], triangle[(v + 1) % 3])];
       for (const auto &[edge, n] : uses)
         if (n != 2)
           throw ComputationError("the surface of the region is not closed");

@@ -15,15 +15,6 @@ namespace swimtwin
 
   namespace
   {
-    /// gmsh's tolerances are absolute, so it sees the region in units of its own extent.
-    double extent(const std::vector<Point<2>> &polygon)
-    {
-      double largest = 0.;
-      for (const auto &x : polygon)
-        largest = std::max(largest, x.distance(polygon.front()));
-      return largest;
-    }
-
     int add_polygon(const std::vector<Point<2>> &polygon, const double scale)
     {
       std::vector<int> points, lines;

@@ -89,16 +89,6 @@ namespace swimtwin
       return tail;
     }
 
-    /// Put the middles of a half surface's edges, and of their images, where they belong.
-    void curve_edges(SimplexMesh<3> &mesh, const QuadraticSurface &half, const std::vector<unsigned int> &image)
-    {
-      for (const auto &[edge, x] : half.middle)
-      {
-        mesh.nodes[mesh.edge_node(image[edge[0]], image[edge[1]])] = mirrored(x);
-        mesh.nodes[mesh.edge_node(edge[0], edge[1])]               = x;
-      }
-    }
-
     SpatialSizeField interior_size(const QuadraticSurface &surface, const OutlineCurves &curves,
                                    const Numerics &numerics)
     {
@@ -117,11 +107,7 @@ namespace swimtwin
       auto mesh = std::make_unique<TailMesh<3>>(TailMesh<3>{SimplexMesh<3>(soup, communicator), {}, {}, {}, image});
       curve_edges(mesh->mesh, tail.surface, image);
       if (numerics.tail_order == 1)
-        for (unsigned int e = 0; e < mesh->mesh.edges().size(); ++e)
-        {
-          const auto &[a, b]                            = mesh->mesh.edges()[e];
-          mesh->mesh.nodes[mesh->mesh.n_vertices() + e] = .5 * (mesh->mesh.nodes[a] + mesh->mesh.nodes[b]);
-        }
+        straighten(mesh->mesh);
       refuse_inverted_elements(mesh->mesh, "the tail's mesh (origin at the head's centre)");
 
       std::vector<char> is_clamped(mesh->mesh.n_nodes(), 0);
@@ -279,14 +265,6 @@ namespace swimtwin
       BodyMesh<3>                 &body_;
       std::map<Edge, unsigned int> middle_;
     };
-
-    /// A linear tail has straight edges, and the body's surface is its.
-    void straighten(BodyMesh<3> &body)
-    {
-      for (unsigned int k = 0; k < body.surface.nodes.size(); ++k)
-        if (body.tail_node[k] >= 0)
-          body.surface.nodes[k] = body.tail->mesh.nodes[body.tail_node[k]];
-    }
   } // namespace
 
   template <>

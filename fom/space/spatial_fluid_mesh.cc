@@ -117,11 +117,7 @@ namespace swimtwin
     std::vector<unsigned int> image;
     const SimplexSoup<3>      soup = reflect(tetrahedralize(half.corners, size, communicator), 0., image);
     FluidMesh<3>              fluid{SimplexMesh<3>(soup, communicator), {}, {}, image};
-    for (const auto &[edge, middle] : half.middle)
-    {
-      fluid.mesh.nodes[fluid.mesh.edge_node(image[edge[0]], image[edge[1]])] = mirrored(middle);
-      fluid.mesh.nodes[fluid.mesh.edge_node(edge[0], edge[1])]               = middle;
-    }
+    curve_edges(fluid.mesh, half, image);
     fluid.surface_nodes = find_surface_nodes(fluid.mesh, half, image, body, x);
     fluid.wall_nodes    = find_wall_nodes(domain, fluid.mesh, half, image, walls);
     refuse_inverted_elements(fluid.mesh, name_of_fluid_mesh);

@@ -1,5 +1,7 @@
 #include <fom/surface/surface_builder.h>
 
+#include <fom/geometry/reflection.h>
+#include <fom/meshing/boundary_faces.h>
 #include <fom/meshing/triangulate.h>
 
 #include <algorithm>
@@ -38,44 +40,6 @@ namespace swimtwin
       }
       return region;
     }
-    /// A triangle with two boundary edges that meet at nearly two right angles would be singular there when they are
-    /// curved: its third edge is divided, and the new vertex pushed inwards.
-    void free_corners(SimplexSoup<2> &soup, const std::vector<unsigned int> &next_on_boundary)
-    {
-      const unsigned int n_boundary  = next_on_boundary.size();
-      const auto         is_boundary = [&](const unsigned int a, const unsigned int b) {
-        return a < n_boundary && b < n_boundary && (next_on_boundary[a] == b || next_on_boundary[b] == a);
-      };
-      const auto is_bound = [&](const unsigned int p, const unsigned int q, const unsigned int r) {
-        constexpr double   obtuse = -0.6;
-        const Tensor<1, 2> a = soup.vertices[q] - soup.vertices[p], b = soup.vertices[r] - soup.vertices[p];
-        return is_boundary(p, q) && is_boundary(p, r) && !is_boundary(q, r) && a * b < obtuse * a.norm() * b.norm();
-      };
-      for (unsigned int n = 0; n < soup.cells.size(); ++n)
-        for (int v = 0; v < 3; ++v)
-        {
-          const auto         cell = soup.cells[n];
-          const unsigned int p = cell[v], q = cell[(v + 1) % 3], r = cell[(v + 2) % 3];
-          if (!is_bound(p, q, r))
-            continue;
-          for (unsigned int k = 0; k < soup.cells.size(); ++k)
-            for (int w = 0; w < 3; ++w)
-              if (const auto other = soup.cells[k]; other[(w + 1) % 3] == r && other[(w + 2) % 3] == q)
-              {
-                const unsigned int o = other[w], m = soup.vertices.size();
-                soup.vertices.push_back(Point<2>(.4 * (soup.vertices[q] + Tensor<1, 2>(soup.vertices[r])) +
-                                                 .1 * (soup.vertices[p] + Tensor<1, 2>(soup.vertices[o]))));
-                // Half way between the edge's middle and that of the quadrilateral: inside both triangles' hull.
-                soup.cells[n] = {p, q, m};
-                soup.cells[k] = {o, r, m};
-                soup.cells.push_back({p, m, r});
-                soup.cells.push_back({o, m, q});
-                w = 3;
-                k = soup.cells.size();
-              }
-          break;
-        }
-    }
   } // namespace
 
   unsigned int QuadraticSurface::number_at(const Point<3> &x)
@@ -102,26 +66,22 @@ namespace swimtwin
     const PlanarRegion region = region_of(patch);
     AssertThrow(signed_area(region.outer) > 0., ExcInternalError());
     SimplexSoup<2>            soup = triangulate(region, communicator);
-    std::vector<unsigned int> number, next;
-    for (const auto &loop : patch.loops)
-    {
-      const unsigned int first = next.size(), n = loop.nodes.size() / 2;
-      for (unsigned int i = 0; i < n; ++i)
-        next.push_back(first + (i + 1) % n);
-    }
-    free_corners(soup, next);
+    std::vector<unsigned int> number;
+    std::set<Edge>            boundary; // of the region: its vertices come first, loop by loop
     for (const auto &loop : patch.loops)
     {
       const unsigned int first = number.size(), n = loop.nodes.size() / 2;
       for (unsigned int i = 0; i < n; ++i)
+      {
+        boundary.insert(edge_between(first + i, first + (i + 1) % n));
         number.push_back(surface.number_at(loop.nodes[2 * i]));
+      }
       for (unsigned int i = 0; i < n; ++i)
         surface.middle.emplace(edge_between(number[first + i], number[first + (i + 1) % n]), loop.nodes[2 * i + 1]);
     }
+    free_corners_from_boundary(soup, boundary);
     for (unsigned int v = number.size(); v < soup.vertices.size(); ++v)
-    {
       number.push_back(surface.number_at(patch.position(soup.vertices[v])));
-    }
     for (const auto &cell : soup.cells)
     {
       surface.corners.triangles.push_back({number[cell[0]], number[cell[1]], number[cell[2]]});
@@ -163,5 +123,14 @@ namespace swimtwin
       std::reverse(outer.nodes.begin() + 1, outer.nodes.end());
     }
     return patch;
+  }
+
+  void curve_edges(SimplexMesh<3> &mesh, const QuadraticSurface &half, const std::vector<unsigned int> &image)
+  {
+    for (const auto &[edge, x] : half.middle)
+    {
+      mesh.nodes[mesh.edge_node(image[edge[0]], image[edge[1]])] = mirrored(x);
+      mesh.nodes[mesh.edge_node(edge[0], edge[1])]               = x;
+    }
   }
 } // namespace swimtwin

@@ -11,8 +11,6 @@
 
 namespace swimtwin
 {
-  using Edge = std::array<unsigned int, 2>; ///< vertices, the smaller number first
-
   struct QuadraticSurface
   {
     TriangleSurface                  corners;
@@ -30,11 +28,6 @@ namespace swimtwin
   private:
     std::map<std::array<double, 3>, unsigned int> numbers_;
   };
-
-  inline Edge edge_between(const unsigned int a, const unsigned int b)
-  {
-    return {std::min(a, b), std::max(a, b)};
-  }
 
   /// A patch of a surface: a plane region whose boundary nodes are given in the plane and in space, and the map.
   struct SurfacePatch
@@ -63,4 +56,8 @@ namespace swimtwin
   /// A plane patch whose chart leaves out one of the coordinates.
   SurfacePatch plane_patch(const std::vector<std::vector<dealii::Point<3>>> &loops, int left_out,
                            const SpatialSizeField &size);
+
+  /// In a mesh whose half (z >= 0) has these vertices first, and of which `image` tells every vertex's reflection: put
+  /// the middles of the surface's edges, and of their images, where they belong.
+  void curve_edges(SimplexMesh<3> &mesh, const QuadraticSurface &half, const std::vector<unsigned int> &image);
 } // namespace swimtwin

@@ -1,3 +1,4 @@
+#include <control/goal/goal_entries.h>
 #include <datasets/observation/calibration_result.h>
 #include <datasets/scene/scene.h>
 #include <datasets/system/error.h>
@@ -17,15 +18,6 @@ namespace swimtwin
     constexpr Range log_value{-2., 2., false, false, "be the logarithm of a ratio, -2 to 2"};
     constexpr Range likely_delay{0., 2., false, false, "be 0 to 2 s"};
     constexpr Range share_of_one{0., 0.1, true, false, "be above 0 and at most 0.1"};
-
-    void read_nominal(const TomlDocument &document, SwimmerParameters &values)
-    {
-      TomlTable table(document, "swimmer");
-      table.number("young_modulus_Pa", {"Pa", positive}, values.young_modulus_Pa);
-      table.number("viscosity_Pa_s", {"Pa s", positive}, values.viscosity_Pa_s);
-      table.number("magnetization_A_m", {"A/m", any_number}, values.magnetization_A_m);
-      table.finish();
-    }
 
     /// A parameter without an entry is fixed where it is; those of the swimmer are estimated unless sd = 0.
     void read_parameters(const TomlDocument &document, TwinParameters &parameters)
@@ -208,7 +200,7 @@ namespace swimtwin
       config.prior = file.parent_path() / prior;
       take_prior(config.prior, config.options);
     }
-    read_nominal(document, config.options.nominal);
+    read_swimmer(document, "swimmer", config.options.nominal);
     read_parameters(document, config.options.parameters);
     read_camera(document, config.camera);
     read_start(document, config.options);
