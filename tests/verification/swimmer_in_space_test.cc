@@ -62,4 +62,14 @@ namespace swimtwin
     const double           at_rest       = swimmer.volume(swimmer.configuration_at_rest());
     EXPECT_NEAR(swimmer.volume(configuration) / at_rest, 1., 1e-6);
   }
+
+  TEST(SwimmerInSpace, HalfMovesAsTheWhole)
+  {
+    const Scene half  = shipped_scene("reference-3d-paper", coarse({})),
+                whole = shipped_scene("reference-3d-paper", coarse({"numerics.symmetric_half=\"off\""}));
+    const Swimmer<3> swimmer(half, MPI_COMM_WORLD);
+    const double     difference = swimmer.relative_change(after(half, 2), after(whole, 2));
+    std::cout << "half and whole differ by " << difference << " body lengths" << std::endl;
+    EXPECT_LE(difference, 1e-8);
+  }
 } // namespace swimtwin
