@@ -18,6 +18,8 @@
 #include <reports/run/run_report.h>
 #include <reports/sweep/frequency_picture.h>
 #include <reports/sweep/sweep_report.h>
+#include <reports/twin/twin_pictures.h>
+#include <reports/twin/twin_report.h>
 
 #include <fmt/format.h>
 
@@ -80,6 +82,16 @@ namespace swimtwin
       return !plan.plan.fields.empty();
     }
 
+    bool can_be_drawn(const TwinRecord &twin)
+    {
+      return twin.n_rows > 0;
+    }
+
+    std::vector<fs::path> draw(const TwinRecord &twin, const fs::path &folder, std::string &warning)
+    {
+      return draw_pictures(folder, twin_pictures(twin), fmt::format("twin {}", twin.name), warning);
+    }
+
     std::vector<fs::path> draw(const PlanFolder &plan, const fs::path &folder, std::string &warning)
     {
       return draw_pictures(folder, plan_pictures(plan), fmt::format("plan {}", plan.name), warning);
@@ -125,6 +137,11 @@ namespace swimtwin
       return plan_page(plan, illustrations);
     }
 
+    HtmlPage page_of(const TwinRecord &twin, const Illustrations &illustrations, const fs::path & /*folder*/)
+    {
+      return twin_page(twin, illustrations);
+    }
+
     HtmlPage page_of(const SweepFolder &sweep, const Illustrations &illustrations, const fs::path &folder)
     {
       return sweep_page(sweep, illustrations, folder);
@@ -162,6 +179,8 @@ namespace swimtwin
                           common);
       if (is_plan(folder))
         return write_page(read_plan(folder), common);
+      if (is_twin(folder))
+        return write_page(read_twin_record(folder), common);
       if (!is_run(folder))
         return write_page(read_sweep(folder), common);
       const RunFolder run = read_run(folder);

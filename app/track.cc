@@ -149,7 +149,12 @@ namespace swimtwin
     require_borne_model_error(model, command.model, command.accepts_model_error);
     const ReducedSwimmer swimmer(model);
     TrackRecord          record;
-    record.goal           = read_tracking_goal(command.goal, model);
+    record.goal = read_tracking_goal(command.goal, model);
+    if (record.goal.plant == PlantKind::external)
+      throw InputError(
+          fmt::format("{}: [loop] plant = \"external\" is a laboratory, which is steered by what is seen of "
+                      "it: run `swimtwin twin MODEL TWIN.toml` with [goal] file = \"{}\" in TWIN.toml.",
+                      command.goal, std::filesystem::path(command.goal).filename().string()));
     const bool has_replay = command.with_replay && record.goal.kind == TrackingKind::path;
     if (has_replay)
       require_full_order_model("--replay", RanksAtWork::this_one);

@@ -3,6 +3,7 @@
 #include <app/shipped_files.h>
 #include <app/verb.h>
 #include <app/written_files.h>
+#include <datasets/files/input_file.h>
 #include <datasets/reduced/reduced_model.h>
 #include <datasets/scene/scene.h>
 #include <datasets/system/error.h>
@@ -19,9 +20,18 @@ namespace swimtwin
       CommonOptions         common;
       std::string           model, config;
       std::filesystem::path recording;
-      std::optional<int>    port;
+      std::optional<int>    port, page_port;
       bool                  in_real_time = false, resumes = false;
     };
+
+    /// Of all files that decide what the twin does.
+    std::string fingerprint(const std::filesystem::path &model, const TwinConfig &config)
+    {
+      std::string all = config.text + read_content(model, "the reduced model");
+      for (const auto &file : config.files())
+        all += read_content(file, "the twin's input");
+      return digest(all);
+    }
 
     void watch(const TwinCommand &command)
     {
@@ -30,18 +40,24 @@ namespace swimtwin
       const TwinConfig            config = read_twin_config(command.config, model);
       if (command.in_real_time && command.recording.empty())
         throw InputError("--real-time is for a recording (--replay); a stream has its own pace: leave it out.");
+      if (config.steering && !command.recording.empty())
+        throw InputError("a recording (--replay) cannot be steered; leave --replay or [goal] out.");
       const Scene   scene = parse_scene(model.scene_text, model.scene_name + ".toml");
       OutputRequest request =
-          output_request(command.common, written_by::twin(), {file, command.config, command.recording, config.prior});
+          output_request(command.common, written_by::twin(), {file, command.config, command.recording});
+      for (const auto &input : config.files())
+        request.inputs.push_back(input);
       request.resume = command.resumes;
       work_in_folder(request, [&](const Begun &begun) {
         begun();
         serve(model, config,
               {command.common.output,
                command.port,
+               command.page_port,
                command.recording,
                command.in_real_time,
                command.resumes,
+               fingerprint(file, config),
                {current_program_version, command.common.command_line, scene.text, scene.hash, utc_time_now()}});
       });
     }
@@ -58,6 +74,8 @@ namespace swimtwin
     add_output_options(*verb, command->common, OutputFolder::required);
     auto *port = verb->add_option("--listen", command->port, "Listen on this port of this machine (0: any free one)")
                      ->check(CLI::Range(0, 65535));
+    verb->add_option("--page", command->page_port, "Show a live page on this port of this machine (0: any free one)")
+        ->check(CLI::Range(0, 65535));
     verb->add_option("--replay", command->recording,
                      "Tracks, TrackMate or DeepLabCut tables with their sidecar, a log, or lines (.jsonl)")
         ->excludes(port);

@@ -32,7 +32,7 @@ namespace swimtwin
     table.finish();
   }
 
-  Drive read_carrier(const TomlDocument &document, const Scene &scene)
+  Drive read_carrier(const TomlDocument &document, const Scene &scene, double *bound_T)
   {
     const bool            is_sinusoid = scene.field.waveform() == FieldProgram::Waveform::sinusoidal;
     const Need            need        = is_sinusoid ? Need::optional : Need::required;
@@ -50,6 +50,8 @@ namespace swimtwin
                       fmt::format("makes a field of up to {:.4g} T with bx_T = {:.4g}, above largest_field_T = {:.4g}; "
                                   "lower one of them (turning the field keeps its size).",
                                   size, x, limit));
+    if (bound_T != nullptr)
+      *bound_T = limit;
     return make_drive(FieldProgram::sinusoidal(x, y, frequency.value_or(1. / scene.field.period_s())));
   }
 

@@ -12,9 +12,9 @@ namespace swimtwin
   /// What the table leaves out keeps its value. Throws InputError.
   void read_swimmer(const TomlDocument &document, const std::string &name, SwimmerParameters &values);
 
-  /// The sinusoid that is turned, [carrier]; the scene's own where entries are left out. Throws InputError for one
-  /// above its bound on |B|.
-  Drive read_carrier(const TomlDocument &document, const Scene &scene);
+  /// The sinusoid that is turned, [carrier]; the scene's own where entries are left out. `bound_T`, if not null,
+  /// becomes the bound on |B|. Throws InputError for a carrier above it.
+  Drive read_carrier(const TomlDocument &document, const Scene &scene, double *bound_T = nullptr);
 
   /// magnitude_T, bx_T, by_T, slew_rate_T_s, and coils: coil_1_A_T = [a, b], coil_2_A_T, ...: current = a bx + b by.
   void read_field_limits(TomlTable &table, FieldLimits &limits);

@@ -25,8 +25,8 @@ namespace swimtwin
          {"waypoints", PathShape::waypoints}}};
     constexpr std::array<std::pair<std::string_view, TrackingKind>, 3> tracking_kinds = {
         {{"path", TrackingKind::path}, {"closed-loop", TrackingKind::closed_loop}, {"target", TrackingKind::target}}};
-    constexpr std::array<std::pair<std::string_view, PlantKind>, 2> plants = {
-        {{"reduced", PlantKind::reduced}, {"full-order", PlantKind::full_order}}};
+    constexpr std::array<std::pair<std::string_view, PlantKind>, 3> plants = {
+        {{"reduced", PlantKind::reduced}, {"full-order", PlantKind::full_order}, {"external", PlantKind::external}}};
     constexpr Range share{0., 1., true, false, "be above 0 and at most 1"};
 
     std::vector<Eigen::Vector2d> read_waypoints(TomlTable &table)
@@ -87,6 +87,7 @@ namespace swimtwin
       table.number("angle_noise_rad", {"rad", not_negative}, options.angle_noise_rad);
       table.number("position_gain", {"", share}, options.position_gain);
       table.number("angle_gain", {"", share}, options.angle_gain);
+      table.number("delay_s", {"s", not_negative}, options.delay_s);
       table.number("warm_up_periods", {"", not_negative}, options.warm_up_periods);
       table.number("max_periods", {"", positive}, options.max_periods);
       table.integer("seed", {"", not_negative}, seed);
@@ -95,6 +96,25 @@ namespace swimtwin
       table.choice("plant", Need::optional, plants, goal.plant);
       table.finish();
       options.seed = static_cast<unsigned int>(seed);
+    }
+
+    /// Of a swimmer in a laboratory the twin knows what a goal would state of it.
+    void require_external_loop(const TomlDocument &document, const TrackingGoal &goal)
+    {
+      if (goal.kind != TrackingKind::closed_loop)
+        document.refuse("loop", "plant",
+                        "is for kind = \"closed-loop\": a laboratory is steered by what is seen; change kind.");
+      for (const char *table : {"swimmer", "plant"})
+        if (document.find(table) != nullptr)
+          document.refuse("loop", "plant",
+                          fmt::format("has no [{}]: the twin estimates the swimmer; leave [{}] out, and state what is "
+                                      "known in TWIN.toml.",
+                                      table, table));
+      for (const char *key : {"position_noise", "angle_noise_rad", "position_gain", "angle_gain", "delay_s"})
+        if (document.find(std::string("loop.") + key) != nullptr)
+          document.refuse("loop", key,
+                          "is of an imagined plant; leave it out with plant = \"external\": the twin has its own "
+                          "camera and observer.");
     }
 
     /// The head goes before the point, whose path begins behind the head's then.
@@ -115,7 +135,7 @@ namespace swimtwin
     /// Turns no faster than the limit on dB/dt leaves to the carrier.
     void keep_slew_rate(const TomlDocument &document, TrackingGoal &goal)
     {
-      const FieldLimits limits = read_limits_of_turned_field(document, goal.carrier);
+      FieldLimits &limits = goal.limits;
       if (!std::isfinite(limits.slew_rate_T_s))
         return;
       double      &turn = goal.options.follower.max_turn_rad;
@@ -152,7 +172,7 @@ namespace swimtwin
 
   std::string to_string(const PlantKind kind)
   {
-    return kind == PlantKind::reduced ? "reduced" : "full-order";
+    return kind == PlantKind::reduced ? "reduced" : kind == PlantKind::full_order ? "full-order" : "external";
   }
 
   bool is_target_goal(const std::filesystem::path &file)
@@ -173,15 +193,20 @@ namespace swimtwin
     for (const char *table : {"path", "carrier", "limits", "follower", "loop", "swimmer", "plant"})
       top.table(table);
     top.finish();
-    double behind = 0.;
-    goal.path     = read_path(document, behind);
-    goal.carrier  = read_carrier(document, scene);
-    goal.believed = swimmer_parameters(scene);
+    double behind           = 0.;
+    goal.path               = read_path(document, behind);
+    double bound_T          = FieldLimits::none;
+    goal.carrier            = read_carrier(document, scene, &bound_T);
+    goal.limits             = read_limits_of_turned_field(document, goal.carrier);
+    goal.limits.magnitude_T = std::min(goal.limits.magnitude_T, bound_T);
+    goal.believed           = swimmer_parameters(scene);
     read_swimmer(document, "swimmer", goal.believed);
     goal.true_parameters = goal.believed;
     read_swimmer(document, "plant", goal.true_parameters);
     read_follower(document, goal.options.follower);
     read_loop(document, goal);
+    if (goal.plant == PlantKind::external)
+      require_external_loop(document, goal);
     keep_slew_rate(document, goal);
     const ReducedSwimmer swimmer(model);
     if (behind > 0.)

@@ -2,6 +2,7 @@
 // The kind "target" has a reader of its own, control/goal/target_goal.h.
 #pragma once
 
+#include <control/field/field_limits.h>
 #include <control/steering/closed_loop.h>
 #include <datasets/reduced/reduced_model.h>
 
@@ -10,7 +11,11 @@
 namespace swimtwin
 {
   enum class TrackingKind { path, closed_loop, target };
-  enum class PlantKind { reduced, full_order };
+  enum class PlantKind {
+    reduced,
+    full_order,
+    external ///< a laboratory: `swimtwin twin` steers it
+  };
   std::string to_string(TrackingKind kind);
   std::string to_string(PlantKind kind);
 
@@ -20,6 +25,7 @@ namespace swimtwin
     std::string       text;
     Path              path = Path::line(1.); ///< in the swimmer's frame: from where it is, x ahead, y to its left
     Drive             carrier;
+    FieldLimits       limits;                    ///< of the coils, the bound on the carrier's size included
     SwimmerParameters believed, true_parameters; ///< of the model that decides, and of a reduced plant
     ClosedLoopOptions options;
     PlantKind         plant            = PlantKind::reduced;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <numbers>
 #include <optional>
 #include <random>
@@ -92,10 +93,20 @@ namespace swimtwin
 
       double frequency_Hz() const { return result_.plan.carrier.frequency_Hz; }
 
+      /// The plant's, as long ago as the delay says; before anything was seen, the first.
+      Pose delayed_pose()
+      {
+        poses_.emplace_back(now_, plant_.pose());
+        const double seen = now_ - options_.delay_s * frequency_Hz();
+        while (poses_.size() > 1 && poses_[1].first <= seen + 1e-9)
+          poses_.pop_front();
+        return poses_.front().second;
+      }
+
       Pose measure()
       {
         std::normal_distribution<double> normal;
-        Pose                             pose = plant_.pose();
+        Pose                             pose = delayed_pose();
         const double                     s    = options_.position_noise * model_.length_m();
         pose.position_m += Eigen::Vector2d(s * normal(random_), s * normal(random_));
         pose.angle_rad += options_.angle_noise_rad * normal(random_);
@@ -257,20 +268,21 @@ namespace swimtwin
           result_.rms_point_m = distance_of_point(*options_.point);
       }
 
-      const ReducedSwimmer       &model_;
-      SwimmerParameters           parameters_;
-      Path                        path_;
-      Plant                      &plant_;
-      ClosedLoopOptions           options_;
-      CarrierMotion               motion_;
-      std::mt19937                random_;
-      double                      interval_; ///< carrier periods
-      SwimmerState                state_;    ///< estimated
-      Pose                        measured_;
-      std::optional<PathFollower> follower_;
-      MeanPosition                truth_, angles_, believed_;
-      double                      now_ = 0., true_arc_ = 0., believed_arc_ = 0.;
-      TrackResult                 result_;
+      const ReducedSwimmer               &model_;
+      SwimmerParameters                   parameters_;
+      Path                                path_;
+      Plant                              &plant_;
+      ClosedLoopOptions                   options_;
+      CarrierMotion                       motion_;
+      std::mt19937                        random_;
+      double                              interval_; ///< carrier periods
+      SwimmerState                        state_;    ///< estimated
+      Pose                                measured_;
+      std::optional<PathFollower>         follower_;
+      MeanPosition                        truth_, angles_, believed_;
+      std::deque<std::pair<double, Pose>> poses_; ///< of the plant, the delay back
+      double                              now_ = 0., true_arc_ = 0., believed_arc_ = 0.;
+      TrackResult                         result_;
     };
   } // namespace
 

@@ -24,6 +24,7 @@ namespace swimtwin
     double          deadline_s      = 0.05; ///< CPU time of a decision; a later one is not used, the last plan goes on
     double          position_noise  = 0.;   ///< standard deviation of what is measured, body lengths
     double          angle_noise_rad = 0.;
+    double          delay_s         = 0.; ///< a pose is seen so late; the observer takes it for the present one
     double          position_gain = 0.15, angle_gain = 0.15; ///< of the observer: share of what is measured
     unsigned int    seed                               = 1;
     double          warm_up_periods                    = 3.;    ///< from rest, straight ahead, before the path begins

@@ -70,7 +70,7 @@ namespace swimtwin
                                    Rows &rows) const
   {
     const double L = swimmer_.length_m(), share = 1. / std::sqrt(static_cast<double>(means.size()));
-    const double distance_weight = share / (options_.distance_scale * L),
+    const double distance_weight = share / std::hypot(options_.distance_scale * L, position_sd_m_),
                  lag_weight      = share / (options_.progress_scale * L);
     const double reach = 0.5 * L, arc_now = arc_m;
     double       squares = 0.;

@@ -39,6 +39,14 @@ namespace swimtwin
     PathFollower(const ReducedSwimmer &swimmer, const SwimmerParameters &parameters, const Path &path, double advance_m,
                  const FollowerOptions &options = {});
 
+    /// What is known of the swimmer from now on. `position_sd_m`: of its position when a decision begins to act; by
+    /// that much a distance from the path is not to be acted on.
+    void believe(const SwimmerParameters &parameters, const double position_sd_m)
+    {
+      parameters_    = parameters;
+      position_sd_m_ = position_sd_m;
+    }
+
     const Path            &path() const { return path_; }
     const FollowerOptions &options() const { return options_; }
 
@@ -76,6 +84,7 @@ namespace swimtwin
     Path                  path_;
     double                advance_m_;
     FollowerOptions       options_;
+    double                position_sd_m_ = 0.;
     MotionStore           store_;
     PhaseEquations        equations_;
   };

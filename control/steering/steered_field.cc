@@ -80,8 +80,8 @@ namespace swimtwin
   }
 
   SteeredField::SteeredField(const SteeringPlan &plan, const double start, const double length)
-      : carrier_(plan.carrier), knot_periods_(plan.knot_periods), start_(start), length_(length),
-        first_(plan.first_coefficient(start)), n_(plan.n_coefficients(start, start + length))
+      : carrier_(plan.carrier), background_T_(plan.background_T), knot_periods_(plan.knot_periods), start_(start),
+        length_(length), first_(plan.first_coefficient(start)), n_(plan.n_coefficients(start, start + length))
   {
   }
 
@@ -97,14 +97,15 @@ namespace swimtwin
   {
     const double t     = start_ + length_ * phase;
     const Place  place = find(t / knot_periods_, first_, n_);
-    return turned(sum(place.value, parameters, place.first), carrier_.field->value_T(t, carrier_.parameters));
+    return background_T_ +
+           turned(sum(place.value, parameters, place.first), carrier_.field->value_T(t, carrier_.parameters));
   }
 
   Eigen::Matrix2Xd SteeredField::slopes(const double phase, const Eigen::VectorXd &parameters) const
   {
     const double          t               = start_ + length_ * phase;
     const Place           place           = find(t / knot_periods_, first_, n_);
-    const Eigen::Vector2d b               = value_T(phase, parameters);
+    const Eigen::Vector2d b               = value_T(phase, parameters) - background_T_; // what is turned
     const Eigen::Vector2d by_angle        = {-b.y(), b.x()};
     Eigen::Matrix2Xd      slopes          = Eigen::Matrix2Xd::Zero(2, n_);
     slopes.middleCols<order>(place.first) = by_angle * Eigen::Map<const Eigen::RowVector4d>(place.value.data());

@@ -11,18 +11,20 @@ namespace swimtwin
     Drive           carrier;            ///< periodic; of what is steered
     double          knot_periods = 0.5; ///< between two knots
     Eigen::VectorXd angles_rad;         ///< coefficient k acts between the knots k - 3 and k + 1
+    /// Felt beside what is played, and not turned.
+    Eigen::Vector2d background_T = Eigen::Vector2d::Zero();
 
     /// Coefficients that act between two instants, in carrier periods since the start: the first, and how many.
     Eigen::Index    first_coefficient(double start) const;
     Eigen::Index    n_coefficients(double start, double end) const;
     double          angle_rad(double periods) const;
     double          angle_rate(double periods) const; ///< rad per period
-    Eigen::Vector2d field_T(double periods) const;
-    double          largest_field_T() const; ///< of the carrier: turning keeps it
+    Eigen::Vector2d field_T(double periods) const;    ///< as played
+    double          largest_field_T() const;          ///< of the carrier: turning keeps it
   };
 
-  /// B(phase) = R(angle(t)) carrier(t), t = start + length phase in periods of the carrier: a window of a swim, played
-  /// once. Parameters angle_0_rad, ...: the plan's coefficients that act in it.
+  /// B(phase) = R(angle(t)) carrier(t) + background, t = start + length phase in periods of the carrier: a window of a
+  /// swim, played once. Parameters angle_0_rad, ...: the plan's coefficients that act in it.
   class SteeredField : public DrivingField
   {
   public:
@@ -34,9 +36,10 @@ namespace swimtwin
     std::vector<double>      kinks() const override;
 
   private:
-    Drive        carrier_;
-    double       knot_periods_, start_, length_;
-    Eigen::Index first_, n_;
+    Drive           carrier_;
+    Eigen::Vector2d background_T_;
+    double          knot_periods_, start_, length_;
+    Eigen::Index    first_, n_;
   };
 
   /// The plan between two instants (carrier periods): one period of the drive is the whole window.

@@ -103,4 +103,83 @@ namespace swimtwin
       fs::remove_all(results);
     }
   }
+
+  /// A laboratory whose coils play what a twin in another process says.
+  class SteeredTwinTest : public TwinVerbTest
+  {
+  protected:
+    void SetUp() override
+    {
+      write("goal.toml", "kind = \"closed-loop\"\n[path]\nshape = \"circle\"\nsize_m = 7.75e-3\n"
+                         "[loop]\nplant = \"external\"\ndeadline_s = 0\nwarm_up_periods = 2.0\n");
+      write("steered-twin.toml", "[goal]\nfile = \"goal.toml\"\n");
+      write("steered-lab.toml",
+            "duration_s = 5\n[camera]\nlatency_s = 0.1\n[coils]\nsteered = true\nfrequency_Hz = 0.9\n");
+    }
+    std::string place(const char *name) const { return (folder.path / name).string(); }
+    std::string twin() const
+    {
+      return std::string(places::tool) + " twin " + model + " " + place("steered-twin.toml") + " --output " +
+             place("twin");
+    }
+    std::string laboratory() const
+    {
+      return std::string(places::tool) + " lab " + model + " " + place("steered-lab.toml") + " --output " +
+             place("lab");
+    }
+    int shell(const std::string &commands) const
+    {
+      return std::system(("cd " + folder.path.string() + " && " + commands).c_str());
+    }
+    void expect_steered() const
+    {
+      const std::string summary = content(folder.path / "twin" / "twin.json");
+      EXPECT_NE(summary.find("\"phase\": \"following\""), std::string::npos) << summary;
+      EXPECT_NE(summary.find("\"errors\": 0"), std::string::npos) << summary;
+      const std::string frames    = content(folder.path / "twin" / "twin.csv"),
+                        truth     = content(folder.path / "lab" / "truth.csv"),
+                        decisions = content(folder.path / "twin" / "steering.csv");
+      EXPECT_EQ(std::count(frames.begin(), frames.end(), '\n'),
+                std::count(truth.begin(), truth.end(), '\n')); // none lost
+      EXPECT_NEAR(static_cast<double>(std::count(decisions.begin(), decisions.end(), '\n')), 101., 2.);
+      expect_all_declared(folder.path / "twin", written_by::twin().patterns);
+    }
+  };
+
+  TEST_F(SteeredTwinTest, LeadsALaboratoryOverAPort)
+  {
+    ASSERT_EQ(shell(twin() +
+                    " --listen 0 2> said & for i in $(seq 100); do grep -q listening said && break; sleep 0.1; "
+                    "done; " +
+                    laboratory() + " --connect $(sed -n 's/.*127.0.0.1:\\([0-9]*\\);.*/\\1/p' said) && wait"),
+              0);
+    expect_steered();
+  }
+
+  TEST_F(SteeredTwinTest, LeadsALaboratoryOverTwoPipes)
+  {
+    ASSERT_EQ(shell("mkfifo commands && " + laboratory() + " --commands commands | " + twin() + " > commands"), 0);
+    expect_steered();
+  }
+
+  TEST_F(SteeredTwinTest, SaysWhatIsMissing)
+  {
+    const Outcome alone = run({"lab", model, place("steered-lab.toml")});
+    EXPECT_EQ(alone.code, 2);
+    EXPECT_NE(alone.errors.find("--connect PORT"), std::string::npos) << alone.errors;
+    const Outcome nobody = run({"lab", model, place("steered-lab.toml"), "--connect", "1"});
+    EXPECT_EQ(nobody.code, 2);
+    EXPECT_NE(nobody.errors.find("start `swimtwin twin"), std::string::npos) << nobody.errors;
+    const Outcome no_pipe = run({"lab", model, place("steered-lab.toml"), "--commands", place("none")});
+    EXPECT_EQ(no_pipe.code, 2);
+    EXPECT_NE(no_pipe.errors.find("mkfifo"), std::string::npos) << no_pipe.errors;
+    const Outcome recorded =
+        run({"twin", model, place("steered-twin.toml"), "--output", place("twin"), "--replay", write("a.jsonl", "")});
+    EXPECT_EQ(recorded.code, 2);
+    EXPECT_NE(recorded.errors.find("cannot be steered"), std::string::npos) << recorded.errors;
+    write("steered-lab.toml", "[coils]\nsteered = true\nbx_T = 4e-3\n");
+    EXPECT_NE(run({"lab", model, place("steered-lab.toml")}).errors.find("stands beside steered"), std::string::npos);
+    write("steered-lab.toml", "[coils]\nticks_per_second = 10.0\n");
+    EXPECT_NE(run({"lab", model, place("steered-lab.toml")}).errors.find("is of steered coils"), std::string::npos);
+  }
 } // namespace swimtwin

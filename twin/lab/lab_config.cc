@@ -78,6 +78,18 @@ namespace swimtwin
       truth[TwinParameter::camera_scale].value = std::log(scale);
     }
 
+    /// Steered coils play what they are told, and nothing of their own.
+    void read_steered(TomlTable &table, LabConfig &config)
+    {
+      table.flag("steered", config.is_steered);
+      table.number("ticks_per_second", {"1/s", positive}, config.ticks_per_second);
+      for (const char *key : {"bx_T", "by_T"})
+        if (config.is_steered && table.has(key))
+          table.note(key, "stands beside steered = true: a twin says what the coils play; leave it out.");
+      if (!config.is_steered && table.has("ticks_per_second"))
+        table.note("ticks_per_second", "is of steered coils; write steered = true, or leave it out.");
+    }
+
     void read_coils(const TomlDocument &document, const Scene &scene, LabConfig &config)
     {
       config.bx_T         = scene.field.bx_T();
@@ -89,6 +101,7 @@ namespace swimtwin
       table.number("frequency_Hz", {"Hz", positive}, config.frequency_Hz);
       table.number("lag_s", {"s", not_negative}, config.options.coils.lag_s);
       table.number("quantisation_T", {"T", not_negative}, config.options.coils.quantisation_T);
+      read_steered(table, config);
       table.finish();
     }
 
@@ -171,34 +184,91 @@ namespace swimtwin
     return config;
   }
 
-  void run_laboratory(const ReducedModel &model, const LabConfig &config,
-                      const std::function<bool(double, const std::string &)> &send,
-                      const std::function<void(const LabTruth &)>            &truth)
+  namespace
   {
-    const ReducedSwimmer swimmer(model);
-    const TailAxis       axis(model.tail);
-    Laboratory           lab(swimmer, axis, config.options);
-    lab.command().play_sinusoid(0., config.bx_T, config.by_T, config.frequency_Hz);
-    std::priority_queue<Arrival, std::vector<Arrival>, std::greater<>> on_the_way;
-    long                                                               n_sent = 0;
-    on_the_way.push({0., n_sent++,
-                     fmt::format(R"({{"type":"drive","time_s":0,"bx_T":{},"by_T":{},"frequency_Hz":{}}})", config.bx_T,
-                                 config.by_T, config.frequency_Hz)});
-    const auto deliver_until = [&](const double time_s) {
-      for (; !on_the_way.empty() && on_the_way.top().time_s <= time_s; on_the_way.pop())
-        if (!send(on_the_way.top().time_s, on_the_way.top().line))
-          return false;
-      return true;
-    };
-    while (lab.now_s() < config.duration_s)
+    /// A laboratory at work: frames at their rate, ticks of its clock at theirs, lines when they arrive.
+    class LabRun
     {
-      const CapturedFrame frame = lab.next_frame();
-      truth({lab.now_s(), lab.truth()});
-      if (!frame.observations.empty())
-        on_the_way.push({frame.arrives_s, n_sent++, frame_line(frame, config.tells_sigmas)});
-      if (!deliver_until(lab.now_s()))
-        return;
-    }
-    deliver_until(infinity);
+    public:
+      LabRun(const ReducedModel &model, const LabConfig &config, const LabEnds &ends)
+          : config_(config), ends_(ends), swimmer_(model), axis_(model.tail), lab_(swimmer_, axis_, config.options)
+      {
+        if (config.is_steered)
+          return;
+        lab_.command().play_sinusoid(0., config.bx_T, config.by_T, config.frequency_Hz);
+        post(0., fmt::format(R"({{"type":"drive","time_s":0,"bx_T":{},"by_T":{},"frequency_Hz":{}}})", config.bx_T,
+                             config.by_T, config.frequency_Hz));
+      }
+
+      void run()
+      {
+        while (lab_.now_s() < config_.duration_s)
+        {
+          const double next_s = lab_.next_frame_s();
+          if (config_.is_steered && !tick_until(next_s))
+            return;
+          const CapturedFrame frame = lab_.next_frame();
+          ends_.truth({lab_.now_s(), lab_.truth()});
+          if (!frame.observations.empty())
+            post(frame.arrives_s, frame_line(frame, config_.tells_sigmas));
+          if (!deliver_until(lab_.now_s()))
+            return;
+        }
+        deliver_until(infinity);
+      }
+
+    private:
+      void post(const double arrives_s, std::string line) { on_the_way_.push({arrives_s, n_sent_++, std::move(line)}); }
+
+      bool deliver_until(const double time_s)
+      {
+        for (; !on_the_way_.empty() && on_the_way_.top().time_s <= time_s; on_the_way_.pop())
+          if (!ends_.send(on_the_way_.top().time_s, on_the_way_.top().line))
+            return false;
+        return true;
+      }
+
+      /// The ticks before the next frame. What is heard at a tick plays from then on, or from when it says.
+      bool tick_until(const double time_s)
+      {
+        for (double tick_s = next_tick_s(); tick_s < time_s; tick_s = next_tick_s())
+        {
+          ++n_ticks_;
+          if (!deliver_until(tick_s) || !ends_.send(tick_s, fmt::format(R"({{"type":"clock","time_s":{}}})", tick_s)))
+            return false;
+          for (const PlayMessage &play : ends_.hear(tick_s))
+            lab_.command().replace(play_from(tick_s, play));
+        }
+        return true;
+      }
+      double next_tick_s() const { return static_cast<double>(n_ticks_) / config_.ticks_per_second; }
+
+      /// The past cannot be played any more.
+      static std::vector<FieldSample> play_from(const double time_s, const PlayMessage &play)
+      {
+        if (play.samples.front().time_s >= time_s)
+          return play.samples;
+        FieldSignal said;
+        said.replace(play.samples);
+        std::vector<FieldSample> samples = {{time_s, said.value_T(time_s), 0.}};
+        for (const FieldSample &sample : play.samples)
+          if (sample.time_s > time_s)
+            samples.push_back(sample);
+        return samples;
+      }
+
+      const LabConfig                                                   &config_;
+      const LabEnds                                                     &ends_;
+      ReducedSwimmer                                                     swimmer_;
+      TailAxis                                                           axis_;
+      Laboratory                                                         lab_;
+      std::priority_queue<Arrival, std::vector<Arrival>, std::greater<>> on_the_way_;
+      long                                                               n_sent_ = 0, n_ticks_ = 0;
+    };
+  } // namespace
+
+  void run_laboratory(const ReducedModel &model, const LabConfig &config, const LabEnds &ends)
+  {
+    LabRun(model, config, ends).run();
   }
 } // namespace swimtwin

@@ -116,7 +116,8 @@ namespace swimtwin
   {
     const LaboratoryCamera                &camera = options_.camera;
     std::uniform_real_distribution<double> uniform;
-    advance(static_cast<double>(++n_frames_) / camera.frames_per_second);
+    advance(next_frame_s());
+    ++n_frames_;
     CapturedFrame frame{now_s_ + state_[layout().place(TwinParameter::camera_delay)], 0., {}};
     frame.arrives_s = frame.stamp_s + std::max(0., camera.latency_s + camera.latency_jitter_s * normal_(random_));
     std::vector<Sighting> seen = {noisy(head_position, 0., camera.position_sigma_m)};

@@ -30,6 +30,7 @@ namespace swimtwin
 
     /// To the next frame's instant. Throws ComputationError if the swimmer's motion is lost.
     CapturedFrame next_frame();
+    double next_frame_s() const { return static_cast<double>(n_frames_ + 1) / options_.camera.frames_per_second; }
 
     double                 now_s() const { return now_s_; }
     const Eigen::VectorXd &truth() const { return state_; } ///< swimmer and all parameters, as in layout()

@@ -27,6 +27,16 @@ namespace swimtwin
       samples_.insert(after, sample);
   }
 
+  void FieldSignal::replace(const std::vector<FieldSample> &samples)
+  {
+    if (samples.empty())
+      return;
+    constexpr double same_s = 1e-6; // instants of two clocks that were added up in different ways
+    while (!samples_.empty() && samples_.back().time_s > samples.front().time_s - same_s)
+      samples_.pop_back();
+    samples_.insert(samples_.end(), samples.begin(), samples.end());
+  }
+
   void FieldSignal::forget_before(const double time_s)
   {
     while (programs_.size() > 1 && programs_[1].start_s <= time_s)

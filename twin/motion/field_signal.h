@@ -27,6 +27,8 @@ namespace swimtwin
     void play_sinusoid(double start_s, double bx_T, double by_T, double frequency_Hz);
     /// In any order.
     void add(const FieldSample &sample);
+    /// In order; what was to be played from the first of them on is not.
+    void replace(const std::vector<FieldSample> &samples);
     /// What ended before an instant is not needed any more.
     void forget_before(double time_s);
 

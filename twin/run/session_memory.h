@@ -49,6 +49,17 @@ namespace swimtwin
     visit("is_configured", v.is_configured);
   }
 
+  template <Like<Pilot::Memory> Type, typename Visitor>
+  void for_each_entry(Type &v, const Visitor &visit)
+  {
+    visit("phase", v.phase);
+    visit("has_path", v.has_path);
+    visit("place_m", v.place_m);
+    visit("angle_rad", v.angle_rad);
+    visit("ends_s", v.ends_s);
+    visit("arc_m", v.arc_m);
+  }
+
   /// Everything that a session remembers, in plain numbers.
   struct RememberedSession
   {
@@ -58,11 +69,12 @@ namespace swimtwin
     Eigen::MatrixXd                samples; ///< rows: time, bx, by, sigma
     double window_start_s = 0., started_s = 0., quiet_until_s = 0., last_used_s = 0., gated_from_s = 0.,
            reference_delay_s = 0.;
-    Belief                  at_window_start;
-    std::optional<Belief>   kept_parameters;
-    std::vector<NoiseLevel> noise_levels;
-    Eigen::MatrixXd         frames, start_frames; ///< rows: time, kind, value x, value y, sigma, place
-    int                     is_searching = 0;
+    Belief                       at_window_start;
+    std::optional<Belief>        kept_parameters;
+    std::vector<NoiseLevel>      noise_levels;
+    Eigen::MatrixXd              frames, start_frames; ///< rows: time, kind, value x, value y, sigma, place
+    int                          is_searching = 0;
+    std::optional<Pilot::Memory> pilot; ///< none if the twin only watches
   };
   template <Like<RememberedSession> Type, typename Visitor>
   void for_each_entry(Type &v, const Visitor &visit)
@@ -84,6 +96,7 @@ namespace swimtwin
     visit("frames", v.frames);
     visit("start_frames", v.start_frames);
     visit("is_searching", v.is_searching);
+    visit("pilot", v.pilot);
   }
 
   void                remember(const SwimmerTwin::Memory &memory, RememberedSession &session);

@@ -57,7 +57,60 @@ namespace swimtwin
                                                  Eigen::VectorXd::Ones(twin.layout().n_states()));
       for (const NamedParameter &p : named_parameters(twin, nothing))
         text += fmt::format(",{},sd_of_{}", p.name, p.name);
-      return text + ",significance,trust,flags,line";
+      return text + ",innovation_x_m,innovation_y_m,innovation_sd_m,innovation_angle_rad,innovation_angle_sd_rad,"
+                    "significance,trust,flags,line";
+    }
+
+    /// Of the head's position and angle; empty where they were not seen. The larger of two deviations.
+    void add_innovations(const EstimateRecord &r, std::vector<std::string> &cells)
+    {
+      std::array<double, 5> values{};
+      values.fill(std::nan(""));
+      for (const Innovation &i : r.innovations)
+        if (i.kind == head_position)
+        {
+          values[0] = i.residual[0];
+          values[1] = i.residual[1];
+          values[2] = std::max(i.standard_deviation[0], i.standard_deviation[1]);
+        }
+        else if (i.kind == head_angle)
+        {
+          values[3] = i.residual[0];
+          values[4] = i.standard_deviation[0];
+        }
+      for (const double value : values)
+        cells.push_back(cell(value));
+    }
+
+    constexpr const char *steering_header = "time_s,phase,mean_x_m,mean_y_m,path_x_m,path_y_m,arc_m,distance_m,doubt_m,"
+                                            "bx_T,by_T,took_s,decided_in_time";
+
+    /// What is not known yet is an empty cell.
+    std::string row(const PlayRecord &r)
+    {
+      const bool is_led             = r.phase == SteeringPhase::following || r.phase == SteeringPhase::arrived,
+                 is_seen            = is_led || r.phase == SteeringPhase::warming;
+      const double          none    = std::nan("");
+      const auto            seen    = [&](const double value) { return cell(is_seen ? value : none); };
+      const auto            led     = [&](const double value) { return cell(is_led ? value : none); };
+      const Eigen::Vector2d first_T = r.samples.front().field_T;
+      return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}", cell(r.decided_s), to_string(r.phase),
+                         seen(r.mean_m.x()), seen(r.mean_m.y()), led(r.path_m.x()), led(r.path_m.y()), led(r.arc_m),
+                         led((r.mean_m - r.path_m).norm()), led(r.doubt_m), cell(first_T.x()), cell(first_T.y()),
+                         cell(r.took_s), r.is_late ? 0 : 1);
+    }
+
+    Json steering_json(const Pilot &pilot)
+    {
+      Json json             = Json::object();
+      json["phase"]         = to_string(pilot.phase());
+      json["path_length_m"] = pilot.wanted_path().length_m();
+      json["arc_m"]         = pilot.memory().arc_m;
+      json["path_m"]        = Json::array();
+      if (pilot.has_path())
+        for (const Eigen::Vector2d &point : pilot.path().points_m())
+          json["path_m"].push_back({point.x(), point.y()});
+      return json;
     }
 
     std::string row(const TwinSession &session, const EstimateRecord &r)
@@ -75,6 +128,7 @@ namespace swimtwin
         cells.push_back(cell(p.value));
         cells.push_back(cell(p.standard_deviation));
       }
+      add_innovations(r, cells);
       return fmt::format("{},{},{},{},{}", fmt::join(cells, ","), cell(r.significance), cell(r.trust),
                          fmt::join(r.flags, ";"), r.line);
     }
@@ -130,6 +184,12 @@ namespace swimtwin
   {
     table_ = AppendedFile(folder_ / twin_table_name);
     table_.append_line(header(session));
+    alarms_ = AppendedFile(folder_ / alarms_name);
+    if (session.pilot() != nullptr)
+    {
+      steering_ = AppendedFile(folder_ / steering_name);
+      steering_.append_line(steering_header);
+    }
     journal_ = AppendedFile(journal_file(0));
     write_json_file(
         folder_ / twin_state_name,
@@ -169,10 +229,17 @@ namespace swimtwin
     }
     n_rows_in_file_ = std::max(0L, cut_to_whole_lines(folder_ / twin_table_name) - 1);
     table_          = AppendedFile(folder_ / twin_table_name);
+    cut_to_whole_lines(folder_ / alarms_name);
+    alarms_ = AppendedFile(folder_ / alarms_name);
+    if (session.pilot() != nullptr)
+    {
+      cut_to_whole_lines(folder_ / steering_name);
+      steering_ = AppendedFile(folder_ / steering_name);
+    }
     cut_to_whole_lines(journal_file(journal_number_));
     std::ifstream journal(journal_file(journal_number_));
     for (std::string line; std::getline(journal, line);)
-      session.take(line);
+      session.take_again(line);
     journal_ = AppendedFile(journal_file(journal_number_));
   }
 
@@ -184,6 +251,11 @@ namespace swimtwin
       table_.append_line(row(session, record));
       ++n_rows_in_file_;
     }
+  }
+
+  void TwinFolder::note(const PlayRecord &record)
+  {
+    steering_.append_line(row(record));
   }
 
   void TwinFolder::save(const TwinSession &session)
@@ -229,6 +301,8 @@ namespace swimtwin
         json["keeps_its_prior"].push_back({{"direction", entries}, {"variance_left", d.variance_left}});
       }
     }
+    if (session.pilot() != nullptr)
+      json["goal"] = steering_json(*session.pilot());
     json["provenance"] = json_of(provenance);
     write_json_file(folder_ / twin_summary_name, json);
   }

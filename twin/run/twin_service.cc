@@ -1,6 +1,8 @@
 #include <datasets/system/clocks.h>
 #include <datasets/system/console.h>
 #include <datasets/system/error.h>
+#include <twin/page/live_server.h>
+#include <twin/page/live_view.h>
 #include <twin/run/twin_service.h>
 #include <twin/stream/line_reader.h>
 #include <twin/stream/local_server.h>
@@ -9,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <memory>
 #include <thread>
 #include <unistd.h>
 
@@ -16,17 +19,19 @@ namespace swimtwin
 {
   namespace
   {
-    constexpr int look_at_clock_every_ms = 50;
+    constexpr double view_every_s           = 0.05;                     // of the wall clock
+    constexpr int    look_at_clock_every_ms = 50, decide_within_ms = 4; ///< of their instants
 
     class Service
     {
     public:
       Service(const ReducedModel &model, const TwinConfig &config, const ServiceOptions &options)
-          : config_(config), options_(options),
-            folder_(options.folder, digest(config.text + model.scene_text + std::to_string(model.n_modes()))),
+          : config_(config), options_(options), folder_(options.folder, options.fingerprint),
             session_(model, config,
                      {[this](const std::string &line) { say_line(line); },
-                      [this](const EstimateRecord &record) { folder_.note(session_, record); }})
+                      [this](const EstimateRecord &record) { note(record); },
+                      [this](const PlayRecord &record) { folder_.note(record); }}),
+            axis_(model.tail), look_at_clock_every_ms_(config.steering ? decide_within_ms : look_at_clock_every_ms)
       {
       }
 
@@ -34,6 +39,11 @@ namespace swimtwin
       {
         if (options_.port)
           server_.emplace(*options_.port);
+        if (options_.page_port)
+        {
+          page_ = std::make_unique<LiveServer>(*options_.page_port, live_page);
+          remark(fmt::format("the live page is at http://127.0.0.1:{}", page_->port()));
+        }
         is_silent_ = true;
         if (options_.resumes)
           folder_.resume(session_);
@@ -55,10 +65,36 @@ namespace swimtwin
       }
 
     private:
+      void note(const EstimateRecord &record)
+      {
+        folder_.note(session_, record);
+        if (!page_ || wall_time_s() < next_view_s_)
+          return;
+        page_->publish(view_line(session_.twin(), axis_, record));
+        next_view_s_ = wall_time_s() + view_every_s;
+      }
+
+      /// What those who look on are told as it was said.
+      void show(const std::string &line)
+      {
+        const auto is = [&](const char *type) { return line.starts_with(fmt::format(R"({{"type":"{}",)", type)); };
+        if (is("twin") || is("path") || is("end"))
+          page_->publish_for_ever(line);
+        else if (is("alarm"))
+          page_->publish(line);
+      }
+
       void say_line(const std::string &line)
       {
+        if (page_)
+          show(line);
         if (is_silent_)
           return;
+        // What the coils were told is part of what a killed twin must know.
+        if (line.starts_with(play_line_start))
+          folder_.remember_line(line);
+        if (line.starts_with(alarm_line_start))
+          folder_.note_alarm(line);
         if (server_)
           server_->send(line + '\n');
         else
@@ -78,18 +114,14 @@ namespace swimtwin
       }
 
       /// The stamps' clock goes on while nothing comes.
-      void wait()
-      {
-        if (session_.twin().has_started())
-          session_.wait(session_.twin().now_s() + (wall_time_s() - last_line_s_));
-      }
+      void wait() { session_.wait(wall_time_s() - last_line_s_); }
 
       void converse(const int descriptor)
       {
         LineReader  reader(descriptor);
         std::string line;
         while (!session_.has_ended())
-          switch (reader.next(line, look_at_clock_every_ms))
+          switch (reader.next(line, look_at_clock_every_ms_))
           {
           case LineReader::Got::line:
             take(line);
@@ -110,7 +142,7 @@ namespace swimtwin
       {
         remark(fmt::format("listening on 127.0.0.1:{}; send {{\"type\": \"end\"}} to end.", server_->port()));
         while (!session_.has_ended())
-          if (server_->accept_client(look_at_clock_every_ms))
+          if (server_->accept_client(look_at_clock_every_ms_))
           {
             session_.greet();
             converse(server_->client());
@@ -138,14 +170,18 @@ namespace swimtwin
         }
       }
 
-      const TwinConfig          &config_;
-      const ServiceOptions      &options_;
-      TwinFolder                 folder_;
-      TwinSession                session_;
-      std::optional<LocalServer> server_;
-      bool                       is_silent_    = false;
-      double                     last_line_s_  = wall_time_s(); ///< as if one had come now
-      int                        n_since_save_ = 0;
+      const TwinConfig           &config_;
+      const ServiceOptions       &options_;
+      TwinFolder                  folder_;
+      TwinSession                 session_;
+      std::optional<LocalServer>  server_;
+      TailAxis                    axis_;
+      std::unique_ptr<LiveServer> page_; ///< null without one
+      double                      next_view_s_  = 0.;
+      bool                        is_silent_    = false;
+      double                      last_line_s_  = wall_time_s(); ///< as if one had come now
+      int                         n_since_save_ = 0;
+      int                         look_at_clock_every_ms_; ///< while no line comes
     };
   } // namespace
 

@@ -12,9 +12,11 @@ namespace swimtwin
   {
     std::filesystem::path folder;
     std::optional<int>    port;                 ///< of this machine
+    std::optional<int>    page_port;            ///< of this machine, for the live page
     std::filesystem::path recording;            ///< empty: standard input
     bool                  in_real_time = false; ///< a recording, at the pace of its stamps
     bool                  resumes      = false;
+    std::string           fingerprint; ///< of model and configuration, with which alone a killed twin goes on
     Provenance            provenance;
   };
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace swimtwin
@@ -22,11 +23,15 @@ namespace swimtwin
   {
     if (config.drive)
       twin_.field().play(config.drive_start_s, *config.drive);
+    if (config.steering)
+      pilot_.emplace(twin_, *config.steering);
   }
 
   void TwinSession::greet()
   {
     listeners_.say(greeting_line(twin_, model_.scene_name));
+    if (pilot_ && pilot_->has_path())
+      listeners_.say(path_line(clock_s_, pilot_->path()));
   }
 
   void TwinSession::refuse(const std::string &sentence)
@@ -57,6 +62,10 @@ namespace swimtwin
         hear(*sample);
       else if (const auto *drive = std::get_if<DriveMessage>(&message))
         hear(*drive);
+      else if (const auto *play = std::get_if<PlayMessage>(&message))
+        hear(*play);
+      else if (const auto *clock = std::get_if<ClockMessage>(&message))
+        hear(*clock);
       else if (std::holds_alternative<RestartMessage>(message))
         restart();
       else
@@ -66,12 +75,16 @@ namespace swimtwin
     {
       refuse(error.what());
     }
+    clock_at_last_line_s_ = clock_s_;
   }
 
   void TwinSession::restart()
   {
     twin_.forget_pose();
     n_refused_in_a_row_ = 0;
+    clock_s_            = -1e300;
+    if (pilot_)
+      pilot_->forget_time();
     next_forecast_s_ = next_open_s_ = -1e300;
   }
 
@@ -131,6 +144,8 @@ namespace swimtwin
     }
     n_refused_in_a_row_ = 0;
     answer_frame(frame);
+    if (pilot_ && !has_clock_)
+      come_to(frame.time_s + config_.steering->latency_s);
   }
 
   void TwinSession::answer_frame(const Frame &frame)
@@ -228,9 +243,60 @@ namespace swimtwin
     twin_.field_changed_from(drive.time_s);
   }
 
-  void TwinSession::wait(const double time_s)
+  void TwinSession::hear(const PlayMessage &play)
   {
-    tell(watchdog_.wait(time_s), time_s);
+    twin_.field().replace(play.samples);
+    twin_.field_changed_from(play.time_s);
+  }
+
+  void TwinSession::hear(const ClockMessage &clock)
+  {
+    if (has_clock_ && clock.time_s < clock_s_)
+      throw InputError(
+          fmt::format("time_s = {:.6g} of the clock is before {:.6g}, which came already; let it go on, or "
+                      "send {{\"type\": \"restart\"}} first.",
+                      clock.time_s, clock_s_));
+    has_clock_ = true;
+    come_to(clock.time_s);
+    listeners_.say(clock_line(clock.time_s));
+  }
+
+  /// It is at least this time: a control period may be over.
+  void TwinSession::come_to(const double time_s)
+  {
+    clock_s_ = std::max(clock_s_, time_s);
+    tell(watchdog_.wait(clock_s_ - twin_.camera().reference_delay_s), clock_s_);
+    if (!pilot_ || is_repeating_ || !pilot_->is_due(clock_s_))
+      return;
+    const std::vector<std::string> flags = watchdog_.flags();
+    const bool has_sight    = twin_.has_started() && std::find(flags.begin(), flags.end(), "sight-lost") == flags.end();
+    const bool had_path     = pilot_->has_path();
+    const PlayRecord record = pilot_->decide(clock_s_, has_sight);
+    if (twin_.has_started())
+      twin_.field().forget_before(twin_.filter().node(0).time_s - config_.period_s);
+    if (pilot_->has_path() && !had_path)
+      listeners_.say(path_line(record.decided_s, pilot_->path()));
+    listeners_.say(play_line(record));
+    listeners_.steered(record);
+  }
+
+  void TwinSession::wait(const double since_last_line_s)
+  {
+    if (!twin_.has_started())
+      return;
+    if (pilot_ && !has_clock_)
+      come_to(clock_at_last_line_s_ + since_last_line_s);
+    else
+      tell(watchdog_.wait(twin_.now_s() + since_last_line_s), twin_.now_s() + since_last_line_s);
+  }
+
+  void TwinSession::take_again(const std::string_view line)
+  {
+    const bool was_said = line.starts_with(play_line_start);
+    is_repeating_       = true;
+    take(line);
+    is_repeating_ = false;
+    counts_.n_lines -= was_said;
   }
 
   void TwinSession::finish()
@@ -248,6 +314,8 @@ namespace swimtwin
     session.counts          = counts_;
     session.next_forecast_s = next_forecast_s_;
     session.next_open_s     = next_open_s_;
+    if (pilot_)
+      session.pilot = pilot_->memory();
     remember(twin_.field(), session);
     remember(twin_.memory(), session);
     return json_of(session);
@@ -267,5 +335,7 @@ namespace swimtwin
     counts_          = session.counts;
     next_forecast_s_ = session.next_forecast_s;
     next_open_s_     = session.next_open_s;
+    if (pilot_ && session.pilot)
+      pilot_->restore(*session.pilot);
   }
 } // namespace swimtwin

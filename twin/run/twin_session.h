@@ -14,11 +14,13 @@ namespace swimtwin
   class TwinSession
   {
   public:
-    /// `say` gets each line of the answer, without its line break; `note` each estimate made from a frame.
+    /// `say` gets each line of the answer, without its line break; `note` each estimate made from a frame, `steered`
+    /// each decision.
     struct Listeners
     {
-      std::function<void(const std::string &)>    say  = [](const std::string &) {};
-      std::function<void(const EstimateRecord &)> note = [](const EstimateRecord &) {};
+      std::function<void(const std::string &)>    say     = [](const std::string &) {};
+      std::function<void(const EstimateRecord &)> note    = [](const EstimateRecord &) {};
+      std::function<void(const PlayRecord &)>     steered = [](const PlayRecord &) {};
     };
 
     /// `model` must live as long.
@@ -29,13 +31,16 @@ namespace swimtwin
     void take(std::string_view line);
     /// A line that was longer than lines may be, and was thrown away.
     void refuse_long_line(std::size_t most_bytes);
-    /// No line came, and the clock of the frames' stamps shows this.
-    void wait(double time_s);
+    /// No line came for this time.
+    void wait(double since_last_line_s);
+    /// A line of before a kill, or one that was said then: nothing is decided again.
+    void take_again(std::string_view line);
     void finish();
 
     bool                has_ended() const { return has_ended_; }
     const StreamCounts &counts() const { return counts_; }
     const SwimmerTwin  &twin() const { return twin_; }
+    const Pilot        *pilot() const { return pilot_ ? &*pilot_ : nullptr; } ///< null if the twin only watches
 
     /// All that a later session needs to go on as if nothing had happened; null before the first frame.
     nlohmann::ordered_json memory() const;
@@ -46,6 +51,9 @@ namespace swimtwin
     void see(Frame frame);
     void hear(const FieldSample &sample);
     void hear(const DriveMessage &drive);
+    void hear(const PlayMessage &play);
+    void hear(const ClockMessage &clock);
+    void come_to(double time_s);
     void restart();
     void require_plausible_time(const Frame &frame);
     void answer_frame(const Frame &frame);
@@ -55,14 +63,18 @@ namespace swimtwin
     void smooth();
     void refuse(const std::string &sentence);
 
-    const ReducedModel &model_;
-    TwinConfig          config_;
-    Listeners           listeners_;
-    SwimmerTwin         twin_;
-    Watchdog            watchdog_;
-    StreamCounts        counts_;
-    bool                has_ended_       = false;
-    double              next_forecast_s_ = -1e300, next_open_s_ = -1e300;
-    int                 n_refused_in_a_row_ = 0;
+    const ReducedModel  &model_;
+    TwinConfig           config_;
+    Listeners            listeners_;
+    SwimmerTwin          twin_;
+    Watchdog             watchdog_;
+    std::optional<Pilot> pilot_;
+    StreamCounts         counts_;
+    bool                 has_ended_       = false;
+    double               next_forecast_s_ = -1e300, next_open_s_ = -1e300;
+    int                  n_refused_in_a_row_ = 0;
+    bool                 has_clock_ = false, is_repeating_ = false;
+    /// The latest time that is known to have come, and when the last line was done.
+    double clock_s_ = -1e300, clock_at_last_line_s_ = -1e300;
   };
 } // namespace swimtwin

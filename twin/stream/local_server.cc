@@ -16,34 +16,63 @@ namespace swimtwin
 {
   namespace
   {
-    [[noreturn]] void refuse_port(const int port)
+    [[noreturn]] void refuse_port(const int port, const char *option)
     {
       const std::string cause = std::generic_category().message(errno);
       throw InputError(
-          fmt::format("cannot listen on port {} of this machine: {}; choose another --listen.", port, cause));
+          fmt::format("cannot listen on port {} of this machine: {}; choose another {}.", port, cause, option));
     }
   } // namespace
 
-  LocalServer::LocalServer(const int port) : socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0))
+  int connect_locally(const int port)
   {
-    if (socket_ < 0)
-      refuse_port(port);
+    sockaddr_in address{};
+    address.sin_family      = AF_INET;
+    address.sin_port        = htons(static_cast<std::uint16_t>(port));
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    const int descriptor    = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    if (descriptor < 0 || ::connect(descriptor, reinterpret_cast<sockaddr *>(&address), sizeof(address)) != 0)
+    {
+      const std::string cause = std::generic_category().message(errno);
+      if (descriptor >= 0)
+        ::close(descriptor);
+      throw InputError(
+          fmt::format("cannot connect to port {} of this machine: {}; start `swimtwin twin ... --listen {}` "
+                      "first.",
+                      port, cause, port));
+    }
     const int yes = 1;
-    ::setsockopt(socket_, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes));
+    ::setsockopt(descriptor, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof(yes));
+    return descriptor;
+  }
+
+  int listen_locally(const int port, const char *option, int &found)
+  {
+    const int descriptor = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    if (descriptor < 0)
+      refuse_port(port, option);
+    const int yes = 1;
+    ::setsockopt(descriptor, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes));
     sockaddr_in address{};
     address.sin_family      = AF_INET;
     address.sin_port        = htons(static_cast<std::uint16_t>(port));
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     socklen_t size          = sizeof(address);
-    if (::bind(socket_, reinterpret_cast<sockaddr *>(&address), size) != 0 || ::listen(socket_, 4) != 0 ||
-        ::getsockname(socket_, reinterpret_cast<sockaddr *>(&address), &size) != 0)
+    if (::bind(descriptor, reinterpret_cast<sockaddr *>(&address), size) != 0 || ::listen(descriptor, 4) != 0 ||
+        ::getsockname(descriptor, reinterpret_cast<sockaddr *>(&address), &size) != 0)
     {
       const int cause = errno;
-      ::close(socket_);
+      ::close(descriptor);
       errno = cause;
-      refuse_port(port);
+      refuse_port(port, option);
     }
-    port_ = ntohs(address.sin_port);
+    found = ntohs(address.sin_port);
+    return descriptor;
+  }
+
+  LocalServer::LocalServer(const int port)
+  {
+    socket_ = listen_locally(port, "--listen", port_);
   }
 
   LocalServer::~LocalServer()

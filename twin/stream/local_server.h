@@ -5,6 +5,13 @@
 
 namespace swimtwin
 {
+  /// The descriptor of a connection to a port of this machine. Throws InputError if nobody listens there.
+  int connect_locally(int port);
+
+  /// A socket that listens on 127.0.0.1; port 0 is any free one, which `found` then names. `option` is what to change
+  /// where the port cannot be had, which is an InputError.
+  int listen_locally(int port, const char *option, int &found);
+
   class LocalServer
   {
   public:

@@ -193,6 +193,33 @@ namespace swimtwin
       return drive;
     }
 
+    PlayMessage read_play(Entries &entries)
+    {
+      PlayMessage play{entries.required("time_s", largest_time_s), entries.required("until_s", largest_time_s), {}};
+      for (const char *other : {"phase", "decided_s", "took_s", "late"}) // the twin's own, for people
+        static_cast<void>(entries.has(other));
+      if (!entries.has("samples") || !entries.at("samples").is_array() || entries.at("samples").empty())
+        throw InputError("a play lacks samples; send [[time_s, bx_T, by_T], ...], in order of time.");
+      for (const StreamJson &row : entries.at("samples"))
+      {
+        const bool fits = row.is_array() && row.size() == 3 &&
+                          std::all_of(row.begin(), row.end(), [](const StreamJson &v) { return v.is_number(); });
+        if (!fits)
+          throw InputError("a sample of a play is no array of three numbers; write [time_s, bx_T, by_T].");
+        const FieldSample sample{row[0].get<double>(), {row[1].get<double>(), row[2].get<double>()}, 0.};
+        if (!std::isfinite(sample.time_s) || std::abs(sample.time_s) > largest_time_s ||
+            !(sample.field_T.cwiseAbs().maxCoeff() <= largest_field_T))
+          throw InputError(fmt::format("a sample of a play is out of bounds (at most {:.0e} s, {:.0e} T); check its "
+                                       "units.",
+                                       largest_time_s, largest_field_T));
+        if (!play.samples.empty() && sample.time_s <= play.samples.back().time_s)
+          throw InputError(
+              fmt::format("the samples of a play are not in order of time at {:.6g} s; sort them.", sample.time_s));
+        play.samples.push_back(sample);
+      }
+      return play;
+    }
+
     StreamJson parse(const std::string_view line)
     {
       try
@@ -215,8 +242,9 @@ namespace swimtwin
     Entries          entries(json, "the line");
     const auto       type = entries.text("type");
     if (!type)
-      throw InputError(
-          "the line lacks its type; send \"type\": \"frame\", \"field\", \"drive\", \"restart\" or \"end\".");
+      throw InputError("the line lacks its type; send \"type\": \"frame\", \"field\", \"drive\", \"play\", \"clock\", "
+                       "\"restart\" or "
+                       "\"end\".");
     if (const auto version = entries.number("version", largest_time_s); version && *version != stream_version)
       throw InputError(fmt::format("version {:.6g} of the stream is not known; this program speaks version {}.",
                                    *version, stream_version));
@@ -227,13 +255,18 @@ namespace swimtwin
       message = read_sample(entries);
     else if (*type == "drive")
       message = read_drive(entries);
+    else if (*type == "play")
+      message = read_play(entries);
+    else if (*type == "clock")
+      message = ClockMessage{entries.required("time_s", largest_time_s)};
     else if (*type == "restart")
       message = RestartMessage();
     else if (*type == "end")
       message = EndMessage();
     else
-      throw InputError(fmt::format("type {} is not known; did you mean {}?", shown(*type),
-                                   nearest_name(*type, {"frame", "field", "drive", "restart", "end"})));
+      throw InputError(
+          fmt::format("type {} is not known; did you mean {}?", shown(*type),
+                      nearest_name(*type, {"frame", "field", "drive", "play", "clock", "restart", "end"})));
     entries.finish();
     return message;
   }

@@ -185,6 +185,40 @@ namespace swimtwin
     return line_of(json);
   }
 
+  std::string play_line(const PlayRecord &r)
+  {
+    Json json       = record("play");
+    json["time_s"]  = r.time_s;
+    json["until_s"] = r.until_s;
+    Json samples    = Json::array();
+    for (const FieldSample &sample : r.samples)
+      samples.push_back({sample.time_s, sample.field_T.x(), sample.field_T.y()});
+    json["samples"]   = samples;
+    json["phase"]     = to_string(r.phase);
+    json["decided_s"] = r.decided_s;
+    json["took_s"]    = r.took_s;
+    json["late"]      = r.is_late;
+    return line_of(json);
+  }
+
+  std::string path_line(const double time_s, const Path &path)
+  {
+    Json json      = record("path");
+    json["time_s"] = time_s;
+    Json points    = Json::array();
+    for (const Eigen::Vector2d &point : path.points_m())
+      points.push_back({point.x(), point.y()});
+    json["points_m"] = points;
+    return line_of(json);
+  }
+
+  std::string clock_line(const double time_s)
+  {
+    Json json      = record("clock");
+    json["time_s"] = time_s;
+    return line_of(json);
+  }
+
   std::string error_line(const long line, const std::string &sentence)
   {
     Json json       = record("error");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <twin/estimate/swimmer_twin.h>
+#include <twin/steering/pilot.h>
 #include <twin/stream/message.h>
 #include <twin/watch/watchdog.h>
 
@@ -36,12 +37,18 @@ namespace swimtwin
   };
   std::vector<NamedParameter> named_parameters(const SwimmerTwin &twin, const Belief &belief);
 
-  std::string greeting_line(const SwimmerTwin &twin, const std::string &model_name);
-  std::string estimate_line(const SwimmerTwin &twin, const EstimateRecord &record);
-  std::string forecast_line(const SwimmerTwin &twin, const ForecastRecord &record);
-  std::string smoothed_line(const SwimmerTwin &twin, double time_s, const Belief &belief);
-  std::string open_line(double time_s, const std::vector<UnlearnedDirection> &directions);
-  std::string alarm_line(const Alarm &alarm, double time_s);
+  std::string                  greeting_line(const SwimmerTwin &twin, const std::string &model_name);
+  std::string                  estimate_line(const SwimmerTwin &twin, const EstimateRecord &record);
+  std::string                  forecast_line(const SwimmerTwin &twin, const ForecastRecord &record);
+  std::string                  smoothed_line(const SwimmerTwin &twin, double time_s, const Belief &belief);
+  std::string                  open_line(double time_s, const std::vector<UnlearnedDirection> &directions);
+  std::string                  alarm_line(const Alarm &alarm, double time_s);
+  inline constexpr const char *play_line_start = R"({"type":"play",)", *alarm_line_start = R"({"type":"alarm",)";
+  std::string                  play_line(const PlayRecord &record);
+  /// Where the path was laid; all that is said of it.
+  std::string path_line(double time_s, const Path &path);
+  /// After everything that a clock's line led to.
+  std::string clock_line(double time_s);
   std::string error_line(long line, const std::string &sentence);
 
   /// Counts of a stream.

@@ -57,7 +57,10 @@ namespace swimtwin
       if (!file.empty() && (bx || by))
         document.refuse("field", "file", "stands beside bx_T or by_T; give a file, or a sinusoid.");
       if (!file.empty())
-        config.drive = make_drive(FieldProgram::read_csv(folder / file, frequency ? 1. / *frequency : 0.));
+      {
+        config.field_file = folder / file;
+        config.drive      = make_drive(FieldProgram::read_csv(config.field_file, frequency ? 1. / *frequency : 0.));
+      }
       else if (bx || by || frequency)
       {
         if (!bx || !by || !frequency)
@@ -176,6 +179,15 @@ namespace swimtwin
     }
   } // namespace
 
+  std::vector<std::filesystem::path> TwinConfig::files() const
+  {
+    std::vector<std::filesystem::path> all;
+    for (const auto &file : {prior, field_file, steering ? steering->file : std::filesystem::path()})
+      if (!file.empty())
+        all.push_back(file);
+    return all;
+  }
+
   TwinConfig read_twin_config(const std::filesystem::path &file, const ReducedModel &model)
   {
     const Scene scene = parse_scene(model.scene_text, model.scene_name + ".toml");
@@ -186,10 +198,18 @@ namespace swimtwin
     std::string        prior;
     top.text("prior", prior);
     for (const char *table :
-         {"swimmer", "parameters", "field", "camera", "start", "model_error", "filter", "watch", "output"})
+         {"swimmer", "parameters", "field", "camera", "start", "model_error", "filter", "watch", "output", "goal"})
       top.table(table);
     top.finish();
     read_field(document, file.parent_path(), scene, config);
+    if (document.find("goal") != nullptr)
+    {
+      config.steering = read_steering(document, file.parent_path(), model);
+      if (config.drive)
+        document.refuse("field", config.field_file.empty() ? "bx_T" : "file",
+                        "stands beside [goal], whose carrier is what plays; leave [field] out.");
+      config.period_s = 1. / config.steering->goal.carrier.frequency_Hz;
+    }
     config.options = default_twin_options(model, swimmer_parameters(scene), 1. / config.period_s);
     config.options.parameters[TwinParameter::stiffness]     = {0., 0.1, 1e-3};
     config.options.parameters[TwinParameter::magnetization] = {0., 0.1, 1e-3};
@@ -209,6 +229,12 @@ namespace swimtwin
     read_watch(document, config);
     config.options.search_pose_after_s = config.watch.sight_lost_s;
     read_output(document, config);
+    if (config.steering && config.options.filter.window_s < config.period_s)
+      document.refuse(
+          "filter", "window_s",
+          fmt::format("is shorter than a period of the goal's carrier ({:.4g} s), over which the swimmer is "
+                      "led; raise it.",
+                      config.period_s));
     return config;
   }
 } // namespace swimtwin

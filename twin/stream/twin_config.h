@@ -4,11 +4,13 @@
 #include <datasets/reduced/reduced_model.h>
 #include <rom/swimmer/driving_field.h>
 #include <twin/estimate/twin_options.h>
+#include <twin/steering/steering_config.h>
 #include <twin/watch/watch_options.h>
 
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <vector>
 
 namespace swimtwin
 {
@@ -29,17 +31,21 @@ namespace swimtwin
 
   struct TwinConfig
   {
-    std::string           text;
-    TwinOptions           options;
-    WatchOptions          watch;
-    CameraConfig          camera;
-    OutputConfig          output;
-    std::optional<Drive>  drive; ///< that plays from `drive_start_s` on; the stream may change it
-    double                drive_start_s = 0.;
-    double                period_s      = 1.;  ///< of the drive, or as stated: the scale of time
-    double                largest_gap_s = 60.; ///< a frame later than that after the last one is not believed
-    int                   save_every    = 300; ///< lines
-    std::filesystem::path prior;               ///< a calibration.json; empty: none
+    std::string                   text;
+    TwinOptions                   options;
+    WatchOptions                  watch;
+    CameraConfig                  camera;
+    OutputConfig                  output;
+    std::optional<Drive>          drive; ///< that plays from `drive_start_s` on; the stream may change it
+    double                        drive_start_s = 0.;
+    double                        period_s      = 1.;  ///< of the drive, or as stated: the scale of time
+    double                        largest_gap_s = 60.; ///< a frame later than that after the last one is not believed
+    int                           save_every    = 300; ///< lines
+    std::filesystem::path         prior, field_file;   ///< a calibration.json, a field program; empty: none
+    std::optional<SteeringConfig> steering;            ///< what to do with the swimmer; none: to watch it
+
+    /// Read beside the configuration itself.
+    std::vector<std::filesystem::path> files() const;
   };
 
   /// What the file leaves out is the model's scene's, or a default. Throws InputError with file, line, key, rule and

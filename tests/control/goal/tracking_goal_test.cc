@@ -48,6 +48,20 @@ namespace swimtwin
     };
   } // namespace
 
+  TEST_F(TrackingGoals, OfALaboratoryStateNoSwimmerAndNoImaginedCamera)
+  {
+    const std::string loop = "kind = \"closed-loop\"\n[path]\nshape = \"circle\"\nsize_m = 8e-3\n[loop]\n"
+                             "plant = \"external\"\n";
+    EXPECT_EQ(read(loop).plant, PlantKind::external);
+    EXPECT_NEAR(read(loop).limits.magnitude_T, 5e-3 * std::sqrt(2.), 1e-12);
+    EXPECT_NEAR(read(loop + "[limits]\nmagnitude_T = 7.08e-3\n").limits.magnitude_T, 5e-3 * std::sqrt(2.), 1e-12);
+    expect_refusal(loop + "delay_s = 0.1\n", "of an imagined plant");
+    expect_refusal(loop + "position_noise = 0.01\n", "of an imagined plant");
+    expect_refusal(loop + "[plant]\nviscosity_Pa_s = 1.0\n", "has no [plant]");
+    expect_refusal(loop + "[swimmer]\nviscosity_Pa_s = 1.0\n", "has no [swimmer]");
+    expect_refusal(circle + "[loop]\nplant = \"external\"\n", "change kind");
+  }
+
   TEST_F(TrackingGoals, TakeFromTheModelWhatTheyLeaveOut)
   {
     const TrackingGoal goal = read(circle);

@@ -65,6 +65,16 @@ namespace swimtwin
     EXPECT_LE(result.mean_decision_s, 0.05);
   }
 
+  TEST_F(ClosedLoopOfTheOpenSwimmer, SeesAPoseAsLateAsItIsTold)
+  {
+    const ClosedLoopOptions options = {
+        .decisions_per_second = 10., .deadline_s = 0., .delay_s = 0.3, .max_periods = 3.};
+    const TrackResult result = lead(believed, options);
+    ASSERT_GT(result.instants.size(), 10U);
+    for (std::size_t i = 3; i < result.instants.size(); ++i) // three decisions ago
+      EXPECT_EQ(result.instants[i].measured.position_m, result.instants[i - 3].pose.position_m);
+  }
+
   TEST_F(ClosedLoopOfTheOpenSwimmer, TheLastPlanGoesOnWhenDecisionsAreLate)
   {
     const TrackResult result = lead(believed, {.decisions_per_second = 5., .deadline_s = 1e-9, .max_periods = 8.});

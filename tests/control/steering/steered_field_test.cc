@@ -33,6 +33,20 @@ namespace swimtwin
     }
   }
 
+  TEST(SteeredField, ABackgroundIsFeltAndNotPlayed)
+  {
+    SteeringPlan plan = some_plan();
+    const Drive  bare = window_of(plan, 0.4, 2.);
+    plan.background_T = {3e-4, -2e-4};
+    const Drive felt  = window_of(plan, 0.4, 2.);
+    for (const double phase : {0., 0.3, 0.9})
+      EXPECT_LE((felt.field->value_T(phase, felt.parameters) - bare.field->value_T(phase, bare.parameters) -
+                 plan.background_T)
+                    .norm(),
+                1e-17);
+    EXPECT_EQ(plan.field_T(0.7), some_plan().field_T(0.7));
+  }
+
   TEST(SteeredField, TurningKeepsTheFieldsSize)
   {
     const SteeringPlan plan = some_plan();
@@ -43,8 +57,10 @@ namespace swimtwin
 
   TEST(SteeredField, SlopesAreDerivatives)
   {
-    constexpr double h      = 1e-5;
-    const Drive      window = window_of(some_plan(), 1.2, 2.);
+    constexpr double h    = 1e-5;
+    SteeringPlan     plan = some_plan();
+    plan.background_T     = {3e-4, -2e-4};
+    const Drive window    = window_of(plan, 1.2, 2.);
     for (const double phase : {0., 0.31, 0.66, 1.})
     {
       const Eigen::Matrix2Xd slopes = window.field->slopes(phase, window.parameters);

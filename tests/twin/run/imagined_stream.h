@@ -24,13 +24,11 @@ namespace swimtwin
   {
     const TemporaryFolder    folder;
     std::vector<std::string> lines;
-    run_laboratory(
-        model, read_lab_config(written(folder, "lab.toml", toml), model),
-        [&](double, const std::string &line) {
-          lines.push_back(line);
-          return true;
-        },
-        [](const LabTruth &) {});
+    run_laboratory(model, read_lab_config(written(folder, "lab.toml", toml), model),
+                   {[&](double, const std::string &line) {
+                     lines.push_back(line);
+                     return true;
+                   }});
     return lines;
   }
 
