@@ -70,7 +70,7 @@ namespace swimtwin
                                    Rows &rows) const
   {
     const double L = swimmer_.length_m(), share = 1. / std::sqrt(static_cast<double>(means.size()));
-    const double distance_weight = share / std::hypot(options_.distance_scale * L, position_sd_m_),
+    const double distance_weight = share / (options_.distance_scale * L),
                  lag_weight      = share / (options_.progress_scale * L);
     const double reach = 0.5 * L, arc_now = arc_m;
     double       squares = 0.;
@@ -113,19 +113,23 @@ namespace swimtwin
   /// Second differences of the angles, those before the window included.
   void PathFollower::add_turn_rows(const SteeringPlan &plan, const Eigen::Index first, Rows &rows) const
   {
-    const Eigen::Index n = rows.matrix.cols();
+    // A turn follows what is seen, and with it what is seen wrongly: doubt makes it dearer.
+    constexpr double   doubt_that_matters = 0.1; // of the distance that matters
+    const double       doubt = position_sd_m_ / (doubt_that_matters * options_.distance_scale * swimmer_.length_m());
+    const double       scale = options_.turn_scale_rad / (1. + doubt * doubt);
+    const Eigen::Index n     = rows.matrix.cols();
     for (Eigen::Index k = std::max<Eigen::Index>(first + 1, 2); k < first + n; ++k)
     {
       Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(n);
       const auto         set = [&](const Eigen::Index coefficient, const double value) {
         if (coefficient >= first)
-          row[coefficient - first] = value / options_.turn_scale_rad;
+          row[coefficient - first] = value / scale;
       };
       set(k, 1.);
       set(k - 1, -2.);
       set(k - 2, 1.);
       const Eigen::VectorXd &a = plan.angles_rad;
-      rows.add(row, (a[k] - 2. * a[k - 1] + a[k - 2]) / options_.turn_scale_rad);
+      rows.add(row, (a[k] - 2. * a[k - 1] + a[k - 2]) / scale);
     }
   }
 

@@ -39,8 +39,8 @@ namespace swimtwin
     PathFollower(const ReducedSwimmer &swimmer, const SwimmerParameters &parameters, const Path &path, double advance_m,
                  const FollowerOptions &options = {});
 
-    /// What is known of the swimmer from now on. `position_sd_m`: of its position when a decision begins to act; by
-    /// that much a distance from the path is not to be acted on.
+    /// What is known of the swimmer from now on. `position_sd_m`: of its position when a decision begins to act: the
+    /// less it is known, the less it is acted on.
     void believe(const SwimmerParameters &parameters, const double position_sd_m)
     {
       parameters_    = parameters;

@@ -47,11 +47,9 @@ namespace swimtwin
 
   const FieldSignal::Program *FieldSignal::program_at(const double time_s) const
   {
-    const Program *latest = nullptr;
-    for (const Program &program : programs_)
-      if (program.start_s <= time_s)
-        latest = &program;
-    return latest;
+    const auto after = std::upper_bound(programs_.begin(), programs_.end(), time_s,
+                                        [](const double t, const Program &p) { return t < p.start_s; });
+    return after == programs_.begin() ? nullptr : &*std::prev(after);
   }
 
   const FieldSample *FieldSignal::sample_at(const double time_s) const

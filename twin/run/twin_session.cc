@@ -185,9 +185,10 @@ namespace swimtwin
   void TwinSession::tell_now_and_then()
   {
     const double now_s = twin_.now_s();
-    if (config_.output.forecast_periods > 0. && now_s >= next_forecast_s_ && !twin_.is_searching_delay())
+    if (now_s >= next_forecast_s_ && !twin_.is_searching_delay())
     {
-      forecast();
+      if (config_.output.forecast_periods > 0.)
+        forecast();
       if (config_.output.smoothing_lag_s > 0.)
         smooth();
       next_forecast_s_ = now_s + config_.output.forecast_every_s;
@@ -230,17 +231,23 @@ namespace swimtwin
   {
     twin_.field().add(sample);
     twin_.field_changed_from(sample.time_s);
+    forget_old_field();
     if (twin_.has_started())
-    {
-      twin_.field().forget_before(twin_.filter().node(0).time_s - config_.period_s);
       tell(watchdog_.wait(std::min(sample.time_s, twin_.now_s() + config_.largest_gap_s)), sample.time_s);
-    }
   }
 
   void TwinSession::hear(const DriveMessage &drive)
   {
     twin_.field().play_sinusoid(drive.time_s, drive.bx_T, drive.by_T, drive.frequency_Hz);
     twin_.field_changed_from(drive.time_s);
+    forget_old_field();
+  }
+
+  /// What a frame may still be about stays.
+  void TwinSession::forget_old_field()
+  {
+    if (twin_.has_started())
+      twin_.field().forget_before(twin_.filter().node(0).time_s - config_.period_s);
   }
 
   void TwinSession::hear(const PlayMessage &play)
@@ -272,8 +279,7 @@ namespace swimtwin
     const bool has_sight    = twin_.has_started() && std::find(flags.begin(), flags.end(), "sight-lost") == flags.end();
     const bool had_path     = pilot_->has_path();
     const PlayRecord record = pilot_->decide(clock_s_, has_sight);
-    if (twin_.has_started())
-      twin_.field().forget_before(twin_.filter().node(0).time_s - config_.period_s);
+    forget_old_field();
     if (pilot_->has_path() && !had_path)
       listeners_.say(path_line(record.decided_s, pilot_->path()));
     listeners_.say(play_line(record));

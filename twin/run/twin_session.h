@@ -54,6 +54,7 @@ namespace swimtwin
     void hear(const PlayMessage &play);
     void hear(const ClockMessage &clock);
     void come_to(double time_s);
+    void forget_old_field();
     void restart();
     void require_plausible_time(const Frame &frame);
     void answer_frame(const Frame &frame);

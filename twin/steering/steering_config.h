@@ -16,7 +16,7 @@ namespace swimtwin
     double                latency_s = 0.; ///< from a frame's stamp to its arrival, where no clock comes with the stream
     double                valid_s   = 0.5; ///< of what is played, beyond its beginning
     double                sample_rate_Hz = 100.;
-    bool                  weighs_doubt   = true; ///< a distance that is not better known is not acted on
+    bool                  weighs_doubt   = true; ///< the less is known of the position, the less it is acted on
   };
 
   /// `[goal]` of a document in `folder`. Throws InputError with file, line, key, rule and remedy.

@@ -65,6 +65,26 @@ namespace swimtwin
     EXPECT_LE(result.mean_decision_s, 0.05);
   }
 
+  TEST_F(ClosedLoopOfTheOpenSwimmer, TurnsLessTowardsItsPathTheLessItsPlaceIsKnown)
+  {
+    const auto sharpest_turn = [&](const double position_sd_m) {
+      PathFollower follower(swimmer, believed, Path::line(2. * L).placed(3.14159265358979, {0., 0.01 * L}), 1e-4);
+      follower.believe(believed, position_sd_m);
+      SteeringPlan plan;
+      plan.carrier    = request.drive;
+      plan.angles_rad = Eigen::VectorXd::Zero(20);
+      MeanPosition record;
+      for (int i = 0; i <= 40; ++i)
+        record.add(0.05 * i, {0., 0.});
+      EXPECT_TRUE(follower.improve(plan, 2., 2.05, state_at_rest(swimmer), record, 0.).completed);
+      const Eigen::VectorXd &a = plan.angles_rad;
+      return (a.tail(18) - 2. * a.segment(1, 18) + a.head(18)).cwiseAbs().maxCoeff();
+    };
+    EXPECT_GT(sharpest_turn(0.), 0.);
+    EXPECT_LT(sharpest_turn(0.002 * L), sharpest_turn(0.));
+    EXPECT_LT(sharpest_turn(0.01 * L), 0.5 * sharpest_turn(0.));
+  }
+
   TEST_F(ClosedLoopOfTheOpenSwimmer, SeesAPoseAsLateAsItIsTold)
   {
     const ClosedLoopOptions options = {

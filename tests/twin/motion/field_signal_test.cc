@@ -24,6 +24,20 @@ namespace swimtwin
       EXPECT_EQ(field.frequency_Hz(10.1), 2.);
     }
 
+    TEST(FieldSignal, ReplacesWhatWasToCome)
+    {
+      FieldSignal field;
+      field.replace({{0., {1e-3, 0.}}, {1., {1e-3, 0.}}, {2., {5e-3, 0.}}});
+      // An instant that was added up in another way is the same one.
+      field.replace({{1. + 1e-15, {2e-3, 0.}}, {1.5, {3e-3, 0.}}});
+      EXPECT_EQ(field.samples().size(), 3U);
+      EXPECT_NEAR(field.value_T(0.5).x(), 1.5e-3, 1e-12);
+      EXPECT_NEAR(field.value_T(1.25).x(), 2.5e-3, 1e-12);
+      EXPECT_EQ(field.value_T(9.).x(), 3e-3);
+      field.replace({});
+      EXPECT_EQ(field.samples().size(), 3U);
+    }
+
     TEST(FieldSignal, TakesSamplesInAnyOrder)
     {
       FieldSignal a, b;

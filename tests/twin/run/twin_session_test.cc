@@ -129,6 +129,28 @@ namespace swimtwin
       EXPECT_THROW(other.session.restore({{"counts", 3}}), InputError);
     }
 
+    TEST(TwinSession, SmoothsWithoutForecasts)
+    {
+      KeptSession kept(model(), twin_config(model(), std::string(plain_twin) +
+                                                         "[output]\nforecast_periods = 0.0\nsmoothing_lag_s = 0.5\n"));
+      kept.take_all(lab_lines(model(), short_lab));
+      EXPECT_TRUE(kept.of_type("forecast").empty());
+      EXPECT_GE(kept.of_type("smoothed").size(), 3U);
+    }
+
+    TEST(TwinSession, ForgetsDrivesThatNoFrameCanBeAboutAnyMore)
+    {
+      KeptSession kept(model(), twin_config(model(), plain_twin));
+      for (int i = 0; i < 400; ++i)
+      {
+        kept.session.take(
+            fmt::format(R"({{"type":"drive","time_s":{},"bx_T":4e-3,"by_T":4e-3,"frequency_Hz":0.8}})", 0.05 * i));
+        kept.session.take(frame(0.05 * (i + 1)));
+      }
+      // The window is two and a half seconds, and a period before it is kept.
+      EXPECT_LT(kept.session.twin().field().programs().size(), 100U);
+    }
+
     TEST(TwinSession, SaysWhatTheMotionCannotTell)
     {
       // Where nothing but the field prefers a place, a camera's offset is one with the swimmer's position.
