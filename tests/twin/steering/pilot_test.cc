@@ -130,13 +130,21 @@ namespace swimtwin
     {
       SteeredLab  steered(steered_model(), steered_goal, "", steered_lab);
       KeptSession first(steered_model(), steered.config), second(steered_model(), steered.config);
-      steered.lab.duration_s = 6.;
+      steered.lab.duration_s  = 6.;
+      std::size_t n_heard     = 0;
+      const auto  new_answers = [&](double) {
+        std::vector<PlayMessage> plays;
+        for (; n_heard < first.answers.size(); ++n_heard)
+          if (first.answers[n_heard]["type"] == "play")
+            plays.push_back(std::get<PlayMessage>(parse_message(first.answers[n_heard].dump(), {})));
+        return plays;
+      };
       run_laboratory(steered_model(), steered.lab,
                      {[&](double, const std::string &line) {
                         first.session.take(line);
                         return true;
                       },
-                      [](const LabTruth &) {}, [](double) { return std::vector<PlayMessage>(); }});
+                      [](const LabTruth &) {}, new_answers});
       ASSERT_TRUE(first.session.pilot()->has_path());
       second.session.restore(nlohmann::ordered_json::parse(first.session.memory().dump()));
       ASSERT_TRUE(second.session.pilot()->has_path());
@@ -183,7 +191,7 @@ namespace swimtwin
            "change kind"},
           {std::string(steered_goal) + "[swimmer]\nyoung_modulus_Pa = 8e4\n", "", "has no [swimmer]"},
           {std::string(steered_goal) + "position_gain = 0.5\n", "", "leave it out"},
-          {std::string(steered_goal) + "[follower]\ndistance = 1\n", "", "unknown"},
+          {std::string(steered_goal) + "[follower]\ndistance = 1\n", "", "not a known entry"},
           {steered_goal, "safe_T = [9e-3, 0.0]\n", "weaken it"},
           {steered_goal, "valid_s = 0.05\n", "raise it"},
           {steered_goal, "sample_rate_Hz = 9000.0\n", "lower one of them"},
