@@ -6,4 +6,7 @@ target_include_directories(swimtwin_flags INTERFACE ${CMAKE_SOURCE_DIR})
 if(SWIMTWIN_SANITIZE)
   target_compile_options(swimtwin_flags INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer)
   target_link_options(swimtwin_flags INTERFACE -fsanitize=address,undefined)
+  # As in Debian's libraries: under AddressSanitizer Eigen would align by itself, and gmsh, which calls some of our
+  # instances of Eigen's templates, frees what they allocate with free().
+  target_compile_definitions(swimtwin_flags INTERFACE EIGEN_MALLOC_ALREADY_ALIGNED=1)
 endif()

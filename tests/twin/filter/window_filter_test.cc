@@ -37,7 +37,7 @@ namespace swimtwin
       const auto frames = toy_frames(60, 1);
       ToyFilter  toy;
       toy.add_all(frames);
-      const TextbookStep &end = textbook_filter(frames).back();
+      const TextbookStep end = textbook_filter(frames).back();
       EXPECT_LT((toy.filter.latest().filtered.mean - end.filtered).norm(), round_off);
       EXPECT_LT((toy.filter.latest().filtered.covariance() - end.P_filtered).norm(), round_off);
     }
