@@ -12,6 +12,14 @@ namespace swimtwin
     return {[=](const double t) { return Point<2>((1. - t) * from + t * Tensor<1, 2>(to)); }};
   }
 
+  PlanarCurve PlanarCurve::graph(std::function<double(double)> height, const double from_x, const double to_x)
+  {
+    return {[=, height = std::move(height)](const double t) {
+      const double x = (1. - t) * from_x + t * to_x;
+      return Point<2>(x, height(x));
+    }};
+  }
+
   PlanarCurve PlanarCurve::arc(const Point<2> &center, const std::array<double, 2> &radii, const double from_rad,
                                const double to_rad)
   {
@@ -60,7 +68,7 @@ namespace swimtwin
     };
   } // namespace
 
-  std::vector<Point<2>> divide(const PlanarCurve &curve, const SizeField &size, const unsigned int min_edges)
+  std::vector<double> division(const PlanarCurve &curve, const SizeField &size, const unsigned int min_edges)
   {
     const CumulativeIntegral arc_length(curve, [](const Point<2> &) { return 1.; });
     const CumulativeIntegral edges(curve, [&](const Point<2> &x) { return 1. / size(x); });
@@ -71,13 +79,21 @@ namespace swimtwin
       parameter[i] = edges.inverse(edges.total() * i / n);
     parameter[n] = 1.;
 
-    std::vector<Point<2>> nodes{curve.position(0.)};
+    std::vector<double> with_middles{0.};
     for (unsigned int i = 0; i < n; ++i)
     {
       const double middle = .5 * (arc_length(parameter[i]) + arc_length(parameter[i + 1]));
-      nodes.push_back(curve.position(arc_length.inverse(middle)));
-      nodes.push_back(curve.position(parameter[i + 1]));
+      with_middles.push_back(arc_length.inverse(middle));
+      with_middles.push_back(parameter[i + 1]);
     }
+    return with_middles;
+  }
+
+  std::vector<Point<2>> divide(const PlanarCurve &curve, const SizeField &size, const unsigned int min_edges)
+  {
+    std::vector<Point<2>> nodes;
+    for (const double t : division(curve, size, min_edges))
+      nodes.push_back(curve.position(t));
     return nodes;
   }
 

@@ -8,12 +8,14 @@
 
 namespace swimtwin
 {
-  /// A straight line or an elliptic arc, walked from parameter 0 to 1.
+  /// A straight line, an elliptic arc or the graph of a function, walked from parameter 0 to 1.
   struct PlanarCurve
   {
     std::function<dealii::Point<2>(double)> position;
 
     static PlanarCurve line(const dealii::Point<2> &from, const dealii::Point<2> &to);
+    /// The graph of a function, from one x to another.
+    static PlanarCurve graph(std::function<double(double)> height, double from_x, double to_x);
     /// Ellipse with half axes `radii`, from one polar parameter to another (rad).
     static PlanarCurve arc(const dealii::Point<2> &center, const std::array<double, 2> &radii, double from_rad,
                            double to_rad);
@@ -21,6 +23,9 @@ namespace swimtwin
 
   /// Wanted edge length (m) at a point.
   using SizeField = std::function<double(const dealii::Point<2> &)>;
+
+  /// Parameters of the nodes that divide() makes.
+  std::vector<double> division(const PlanarCurve &curve, const SizeField &size, unsigned int min_edges = 1);
 
   /// Nodes of a quadratic curve mesh: vertex, midpoint, vertex, ..., last vertex. All lie on the curve, edges have
   /// equal length in units of the size field and are never longer than it asks; midpoints halve the arc of their edge.

@@ -33,10 +33,12 @@ namespace swimtwin
         for (const auto &triangle : boundary.triangles)
           for (int v = 0; v < 3; ++v)
             boundary_.insert(edge_between(triangle[v], triangle[(v + 1) % 3]));
+        for (unsigned int n = 0; n < soup.cells.size(); ++n)
+          note(n);
       }
 
       /// The edge to divide, if the cell has a bound corner; both ends are the same vertex if there is none.
-      std::optional<Edge> find(const Cell &cell) const
+      std::optional<Edge> edge_off_bound_corner(const Cell &cell) const
       {
         for (int corner = 0; corner < 4; ++corner)
           if (is_bound(cell, corner))
@@ -49,21 +51,33 @@ namespace swimtwin
             }
             return Edge{cell[corner], cell[corner]};
           }
-        return flat_edge(cell);
+        return std::nullopt;
       }
 
-      /// Divide all cells at an edge.
-      void divide(const Edge &at)
+      /// An inner edge of a cell without volume, which gmsh leaves on plane pieces of the boundary.
+      std::optional<Edge> flat_edge(const Cell &cell) const
       {
-        const unsigned int        m = soup_.vertices.size();
-        std::vector<unsigned int> around;
-        for (unsigned int n = 0; n < soup_.cells.size(); ++n)
-          if (has(soup_.cells[n], at[0]) && has(soup_.cells[n], at[1]))
-            around.push_back(n);
-        std::vector<Cell> halves;
-        Point<3>          center;
+        constexpr double without_volume = 0.02;
+        if (quality(cell, soup_.vertices) < without_volume)
+          for (int a = 0; a < 4; ++a)
+            for (int b = 0; b < a; ++b)
+              if (const Edge inner = edge_between(cell[a], cell[b]); !boundary_.count(inner))
+                return inner;
+        return std::nullopt;
+      }
+
+      /// Divide all cells at an edge; `if_better`: only where their worst quality gains by it, which it need not in a
+      /// wedge of the region. Returns whether they were.
+      bool divide(const Edge &at, const bool if_better)
+      {
+        const unsigned int              m      = soup_.vertices.size();
+        const std::vector<unsigned int> around = cells_at(at);
+        std::vector<Cell>               halves;
+        Point<3>                        center;
+        double                          worst = 1.;
         for (const auto n : around)
         {
+          worst = std::min(worst, quality(soup_.cells[n], soup_.vertices));
           for (const auto v : soup_.cells[n])
             center += soup_.vertices[v] / (4. * around.size());
           for (const auto from : at)
@@ -73,12 +87,21 @@ namespace swimtwin
             halves.push_back(half);
           }
         }
-        place(Point<3>(.5 * (soup_.vertices[at[0]] + Tensor<1, 3>(soup_.vertices[at[1]]))), center, halves);
+        const double best =
+            place(Point<3>(.5 * (soup_.vertices[at[0]] + Tensor<1, 3>(soup_.vertices[at[1]]))), center, halves);
+        if (if_better && best <= worst)
+        {
+          soup_.vertices.pop_back();
+          return false;
+        }
         for (unsigned int i = 0; i < around.size(); ++i)
         {
           soup_.cells[around[i]] = halves[2 * i];
           soup_.cells.push_back(halves[2 * i + 1]);
+          note(around[i]);
+          note(soup_.cells.size() - 1);
         }
+        return true;
       }
 
       /// Divide one cell from its middle.
@@ -95,20 +118,26 @@ namespace swimtwin
           Cell part = cell;
           part[v]   = m;
           v == 0 ? soup_.cells[n] = part : soup_.cells.emplace_back(part);
+          note(v == 0 ? n : soup_.cells.size() - 1);
         }
       }
 
     private:
-      /// An inner edge of a cell without volume, which gmsh leaves on plane pieces of the boundary.
-      std::optional<Edge> flat_edge(const Cell &cell) const
+      void note(const unsigned int n)
       {
-        constexpr double without_volume = 0.02;
-        if (quality(cell, soup_.vertices) < without_volume)
-          for (int a = 0; a < 4; ++a)
-            for (int b = 0; b < a; ++b)
-              if (const Edge inner = edge_between(cell[a], cell[b]); !boundary_.count(inner))
-                return inner;
-        return std::nullopt;
+        cells_of_vertex_.resize(soup_.vertices.size());
+        for (const auto v : soup_.cells[n])
+          cells_of_vertex_[v].push_back(n);
+      }
+      std::vector<unsigned int> cells_at(const Edge &edge) const
+      {
+        std::vector<unsigned int> cells;
+        for (const auto n : cells_of_vertex_[edge[0]])
+          if (has(soup_.cells[n], edge[0]) && has(soup_.cells[n], edge[1]))
+            cells.push_back(n);
+        std::sort(cells.begin(), cells.end());
+        cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+        return cells;
       }
       /// Whether the three edges from a corner are on the boundary and nearly in a plane.
       bool is_bound(const Cell &cell, const int corner) const
@@ -129,7 +158,8 @@ namespace swimtwin
         return std::find(cell.begin(), cell.end(), v) != cell.end();
       }
 
-      void place(const Point<3> &middle, const Point<3> &center, const std::vector<Cell> &cells)
+      /// Returns the worst quality there.
+      double place(const Point<3> &middle, const Point<3> &center, const std::vector<Cell> &cells)
       {
         double   best  = -1.;
         Point<3> there = middle;
@@ -147,10 +177,12 @@ namespace swimtwin
           }
         }
         soup_.vertices.back() = there;
+        return best;
       }
 
-      SimplexSoup<3> &soup_;
-      std::set<Edge>  boundary_;
+      SimplexSoup<3>                        &soup_;
+      std::set<Edge>                         boundary_;
+      std::vector<std::vector<unsigned int>> cells_of_vertex_; ///< some of them no longer
     };
     /// The cell that has these two vertices in this order, and its third vertex; there is one inside a region.
     std::array<unsigned int, 2> cell_across(const SimplexSoup<2> &soup, const unsigned int a, const unsigned int b)
@@ -198,11 +230,20 @@ namespace swimtwin
   void free_corners_from_boundary(SimplexSoup<3> &soup, const TriangleSurface &boundary)
   {
     Liberation liberation(soup, boundary);
-    for (unsigned int n = 0; n < soup.cells.size(); ++n)
-      while (const auto at = liberation.find(soup.cells[n]))
+    const auto most_flat_cells = soup.cells.size(); // a wedge may have ever thinner ones
+    for (unsigned int n = 0, n_flat = 0; n < soup.cells.size(); ++n)
+    {
+      while (const auto at = liberation.edge_off_bound_corner(soup.cells[n]))
         if ((*at)[0] == (*at)[1])
           liberation.divide(n);
         else
-          liberation.divide(*at);
+          liberation.divide(*at, false);
+      if (const auto at = liberation.flat_edge(soup.cells[n]); at && n_flat < most_flat_cells)
+        if (liberation.divide(*at, true))
+        {
+          ++n_flat;
+          --n; // its halves, once more
+        }
+    }
   }
 } // namespace swimtwin

@@ -4,6 +4,7 @@
 #include <fom/mesh/fluid_mesh.h>
 #include <fom/mesh/inverted_element.h>
 #include <fom/space/spatial_walls.h>
+#include <fom/space/untangling.h>
 #include <fom/mesh/wall_loop.h>
 
 namespace swimtwin
@@ -118,6 +119,7 @@ namespace swimtwin
     const SimplexSoup<3>      soup = reflect(tetrahedralize(half.corners, size, communicator), 0., image);
     FluidMesh<3>              fluid{SimplexMesh<3>(soup, communicator), {}, {}, image};
     curve_edges(fluid.mesh, half, image);
+    untangle(fluid.mesh, half, image, mirror_patch);
     fluid.surface_nodes = find_surface_nodes(fluid.mesh, half, image, body, x);
     fluid.wall_nodes    = find_wall_nodes(domain, fluid.mesh, half, image, walls);
     refuse_inverted_elements(fluid.mesh, name_of_fluid_mesh);

@@ -12,15 +12,13 @@ namespace swimtwin
 
   namespace
   {
-    constexpr double on_axis_m = 1e-12; // sines of half turns are not zero
-
     /// A conformal map of the half surface of one curve to the plane. Beside the axis, arc length over radius, u, and
     /// the angle about the axis are plane coordinates with equal scales; where the curve begins on the axis, exp(u) and
     /// the angle are polar ones.
     class ConformalChart
     {
     public:
-      explicit ConformalChart(PlanarCurve curve)
+      ConformalChart(PlanarCurve curve, const double on_axis_m)
           : curve_(std::move(curve)), has_pole_(curve_.position(0.)[1] <= on_axis_m)
       {
         const double dt = 1. / n_pieces;
@@ -99,7 +97,7 @@ namespace swimtwin
     class CurvatureLimit
     {
     public:
-      explicit CurvatureLimit(const PlanarCurve &curve)
+      CurvatureLimit(const PlanarCurve &curve, const double on_axis_m)
       {
         for (int i = 0; i <= n_samples; ++i)
         {
@@ -130,19 +128,41 @@ namespace swimtwin
       std::vector<std::pair<Point<2>, double>> samples_;
     };
 
-    /// Parameter of the point of a curve that a division made; nodes are in the order of the curve.
-    double parameter_of(const PlanarCurve &curve, const Point<2> &x)
+    /// Radii below this are none: sines of half turns are not zero.
+    double radius_of_axis(const std::vector<PlanarCurve> &pieces)
     {
-      // Distance to x has one minimum on lines and arcs of at most half a turn.
-      constexpr double golden = 0.6180339887498949;
-      double           low = 0., high = 1.;
-      for (int i = 0; i < 70; ++i)
+      constexpr double round_off = 1e-9;
+      double           largest   = 0.;
+      for (const auto &piece : pieces)
+        for (const double t : {0., .25, .5, .75, 1.})
+          largest = std::max(largest, piece.position(t)[1]);
+      return round_off * largest;
+    }
+
+    /// A piece of a meridian as it was divided.
+    struct DividedCurve
+    {
+      PlanarCurve           curve;
+      std::vector<double>   parameters; ///< of the nodes
+      std::vector<Point<2>> nodes;      ///< (x, r): vertex, middle, vertex, ...
+
+      DividedCurve reversed() const
       {
-        const double a = high - golden * (high - low), b = low + golden * (high - low);
-        (curve.position(a).distance(x) < curve.position(b).distance(x) ? high : low) =
-            curve.position(a).distance(x) < curve.position(b).distance(x) ? b : a;
+        DividedCurve backwards{part(curve, 1., 0.), {}, {nodes.rbegin(), nodes.rend()}};
+        for (auto t = parameters.rbegin(); t != parameters.rend(); ++t)
+          backwards.parameters.push_back(1. - *t);
+        return backwards;
       }
-      return .5 * (low + high);
+    };
+
+    /// Angles of the nodes of a half circle about the axis, ends included: vertex, middle, vertex, ...
+    std::vector<double> circle_angles(const Meridian &meridian, const Point<2> &xr)
+    {
+      const int           n = std::max(5., std::ceil(pi * xr[1] / meridian.size(xr) - 1e-9));
+      std::vector<double> angles;
+      for (int i = 0; i <= 2 * n; ++i)
+        angles.push_back(pi * i / (2 * n));
+      return angles;
     }
 
     class HalfRevolution
@@ -150,39 +170,40 @@ namespace swimtwin
     public:
       HalfRevolution(QuadraticSurface &surface, const Meridian &meridian, const double axis_y,
                      const MPI_Comm communicator)
-          : surface_(surface), meridian_(meridian), axis_y_(axis_y), communicator_(communicator)
+          : surface_(surface), meridian_(meridian), axis_y_(axis_y), communicator_(communicator),
+            on_axis_m_(radius_of_axis(meridian.pieces))
       {
       }
 
-      /// Nodes of a curve's division, (x, r) as quadratic list.
       void add_piece(const PlanarCurve &curve, const int number, MeridianTrace &trace)
       {
-        const double r0 = curve.position(0.)[1], r1 = curve.position(1.)[1];
-        if (r0 <= on_axis_m && r1 <= on_axis_m)
+        const bool ends_on_axis = curve.position(1.)[1] <= on_axis_m_;
+        if (curve.position(0.)[1] <= on_axis_m_ && ends_on_axis)
         {
           add_piece(part(curve, 0., .5), number, trace);
           return add_piece(part(curve, .5, 1.), number, trace);
         }
-        const SizeField size = [this, limit = CurvatureLimit(curve)](const Point<2> &xr) {
+        const SizeField size = [this, limit = CurvatureLimit(curve, on_axis_m_)](const Point<2> &xr) {
           return std::min(meridian_.size(xr), limit(xr));
         };
-        auto nodes = divide(curve, size);
-        for (auto *end : {&nodes.front(), &nodes.back()})
-          if ((*end)[1] <= on_axis_m)
-            (*end)[1] = 0.;
-        if (last_)
-          nodes.front() = *last_; // bit by bit, whatever sines say
-        last_                  = nodes.back();
-        const bool is_reversed = r1 <= on_axis_m;
-        add_patch_of(is_reversed ? part(curve, 1., 0.) : curve, is_reversed ? reversed(nodes) : nodes, size, number);
-        append_trace(nodes, trace);
+        const DividedCurve piece = divide_piece(curve, size);
+        add_patch_of(ends_on_axis ? piece.reversed() : piece, size, number);
+        append_trace(piece.nodes, trace);
       }
 
     private:
-      static std::vector<Point<2>> reversed(std::vector<Point<2>> nodes)
+      DividedCurve divide_piece(const PlanarCurve &curve, const SizeField &size)
       {
-        std::reverse(nodes.begin(), nodes.end());
-        return nodes;
+        DividedCurve piece{curve, division(curve, size), {}};
+        for (const double t : piece.parameters)
+          piece.nodes.push_back(curve.position(t));
+        for (auto *end : {&piece.nodes.front(), &piece.nodes.back()})
+          if ((*end)[1] <= on_axis_m_)
+            (*end)[1] = 0.;
+        if (last_)
+          piece.nodes.front() = *last_; // bit by bit, whatever sines say
+        last_ = piece.nodes.back();
+        return piece;
       }
 
       Point<3> above(const Point<2> &xr) const { return {xr[0], axis_y_ + xr[1], 0.}; }
@@ -201,21 +222,11 @@ namespace swimtwin
         }
       }
 
-      /// Angles of the nodes of a half circle about the axis, ends included: vertex, middle, vertex, ...
-      std::vector<double> circle_angles(const Point<2> &xr) const
-      {
-        const int           n = std::max(5., std::ceil(pi * xr[1] / meridian_.size(xr) - 1e-9));
-        std::vector<double> angles;
-        for (int i = 0; i <= 2 * n; ++i)
-          angles.push_back(pi * i / (2 * n));
-        return angles;
-      }
-
       /// Append a half circle's nodes, but for its ends, which are on the plane.
       void append_circle(SurfacePatch::Loop &loop, const ConformalChart &chart, const double t, const Point<2> &xr,
                          const bool is_forward) const
       {
-        auto angles = circle_angles(xr);
+        auto angles = circle_angles(meridian_, xr);
         if (!is_forward)
           std::reverse(angles.begin(), angles.end());
         for (unsigned int i = 1; i + 1 < angles.size(); ++i)
@@ -223,16 +234,11 @@ namespace swimtwin
       }
 
       /// `nodes` begin at the pole, if there is one.
-      void add_patch_of(const PlanarCurve &curve, const std::vector<Point<2>> &nodes, const SizeField &size,
-                        const int number)
+      void add_patch_of(const DividedCurve &piece, const SizeField &size, const int number)
       {
-        const ConformalChart chart(curve);
-        std::vector<double>  t;
-        for (const auto &xr : nodes)
-          t.push_back(parameter_of(curve, xr));
-        t.front() = 0.;
-        t.back()  = 1.;
-        SurfacePatch patch;
+        const auto &[curve, t, nodes] = piece;
+        const ConformalChart chart(curve, on_axis_m_);
+        SurfacePatch         patch;
         patch.number = number;
         auto &loop   = patch.loops.emplace_back();
         for (unsigned int i = 0; i < nodes.size(); ++i)
@@ -257,10 +263,21 @@ namespace swimtwin
       const Meridian   &meridian_;
       double            axis_y_;
       MPI_Comm          communicator_;
+      double            on_axis_m_;
 
       std::optional<Point<2>> last_; ///< end of the chain so far
     };
   } // namespace
+
+  std::vector<Point<3>> half_circle(const Meridian &meridian, const Point<2> &xr, const double axis_y_m)
+  {
+    std::vector<Point<3>> nodes;
+    for (const double angle : circle_angles(meridian, xr))
+      nodes.emplace_back(xr[0], axis_y_m + xr[1] * std::cos(angle), xr[1] * std::sin(angle));
+    nodes.front() = {xr[0], axis_y_m + xr[1], 0.};
+    nodes.back()  = {xr[0], axis_y_m - xr[1], 0.};
+    return nodes;
+  }
 
   MeridianTrace add_revolved(QuadraticSurface &surface, const Meridian &meridian, const double axis_y_m,
                              const int first_patch, const MPI_Comm communicator)

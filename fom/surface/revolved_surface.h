@@ -20,6 +20,10 @@ namespace swimtwin
     std::vector<dealii::Point<3>> above, below;
   };
 
+  /// The nodes of half of the circle about the axis through (x, r), from above to below through z > 0, as add_revolved
+  /// divides it.
+  std::vector<dealii::Point<3>> half_circle(const Meridian &meridian, const dealii::Point<2> &xr, double axis_y_m);
+
   /// Divide the meridian and the circles between its pieces, and add one or two patches for every piece, numbered
   /// `first_patch` + its place in the chain. Patches are meshed on conformal charts, so that triangles keep their
   /// shapes on the surface. `axis_y_m`: of the axis, in the plane z = 0. Collective.
