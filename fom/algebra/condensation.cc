@@ -38,7 +38,7 @@ namespace swimtwin
   template <int dim>
   void Condensation<dim>::lay_out(LinearSystem &system) const
   {
-    system.set_pattern(map_.first_owned(), map_.last_owned(), pattern_rows_, pattern_columns_);
+    system.set_pattern(map_.first_owned(), map_.last_owned(), pattern_rows_, pattern_columns_, dim);
   }
 
   template <int dim>

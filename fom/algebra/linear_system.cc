@@ -90,11 +90,11 @@ namespace swimtwin
   }
 
   void LinearSystem::set_pattern(const PetscInt first_row, const PetscInt last_row, std::vector<PetscInt> rows,
-                                 std::vector<PetscInt> columns)
+                                 std::vector<PetscInt> columns, const int dimension)
   {
     const ScopedCpuTime time(counts_.assembly_cpu_s);
     clear();
-    require_memory_for_unknowns(sum_over_ranks(last_row - first_row, communicator_), communicator_);
+    require_memory_for_unknowns(sum_over_ranks(last_row - first_row, communicator_), dimension, communicator_);
     first_row_ = first_row;
     last_row_  = last_row;
     check_petsc(MatCreate(communicator_, &matrix_), "made a matrix");

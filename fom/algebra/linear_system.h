@@ -35,8 +35,10 @@ namespace swimtwin
     LinearSystem(const LinearSystem &)            = delete;
     LinearSystem &operator=(const LinearSystem &) = delete;
 
-    /// Rows [first, last) live on this rank; `rows` and `columns` are this rank's contributions. Collective.
-    void set_pattern(PetscInt first_row, PetscInt last_row, std::vector<PetscInt> rows, std::vector<PetscInt> columns);
+    /// Rows [first, last) live on this rank; `rows` and `columns` are this rank's contributions. `dimension`: of the
+    /// mesh behind them, which says how far factors fill in. Collective; throws ComputationError for want of memory.
+    void set_pattern(PetscInt first_row, PetscInt last_row, std::vector<PetscInt> rows, std::vector<PetscInt> columns,
+                     int dimension = 2);
     /// Values in the order of the pattern. `is_symmetric`: not always so under the option `symmetric`. Collective.
     void set_matrix(const std::vector<double> &values, bool is_symmetric = true);
     /// This rank's contributions to the right-hand side, of full length; summed over ranks. Collective.

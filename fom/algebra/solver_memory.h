@@ -12,7 +12,13 @@ namespace swimtwin
   /// In 3D, measured at 29,000 and 57,000.
   constexpr double memory_per_unknown_in_space_MB = 0.0155;
 
+  /// Memory (MB) of a coupled system and its factors, on meshes of a dimension.
+  constexpr double system_memory_MB(const double n_unknowns, const int dimension)
+  {
+    return (dimension == 3 ? memory_per_unknown_in_space_MB : memory_per_unknown_MB) * n_unknowns;
+  }
+
   /// Before a system larger than any before is laid out and factorised. Throws ComputationError, on all ranks, if one
   /// of them may not take the memory. Collective.
-  void require_memory_for_unknowns(PetscInt n_unknowns, MPI_Comm communicator);
+  void require_memory_for_unknowns(PetscInt n_unknowns, int dimension, MPI_Comm communicator);
 } // namespace swimtwin

@@ -26,7 +26,7 @@ namespace swimtwin
     }
     double memory_MB(const double n_unknowns, const int dimension)
     {
-      return process_memory_MB + (dimension == 3 ? memory_per_unknown_in_space_MB : memory_per_unknown_MB) * n_unknowns;
+      return process_memory_MB + system_memory_MB(n_unknowns, dimension);
     }
     constexpr double iterations_per_step = 1.5;
     /// Largest sizes that were measured: docs/stress.md, and above.
@@ -159,11 +159,12 @@ namespace swimtwin
         else
           plan.skipped.push_back({"tail's inertia", "the tail is in equilibrium with its loads at every instant"});
         if (scene.fluid && scene.time.period_s > 0.)
-          plan.numbers.push_back(
-              {"elastic group",
-               fmt::format("{} = {:.3g}",
-                           scene.dimension == 3 ? "E h^4 / (64 mu f L^4)" : "E h^3 / (12 (1 - nu^2) mu f L^3)",
-                           elastic_group(scene))});
+          plan.numbers.push_back({"elastic group", fmt::format("{} = {:.3g}",
+                                                               scene.dimension == 2 ? "E h^3 / (12 (1 - nu^2) mu f L^3)"
+                                                               : scene.tail->section == TailSection::rectangular
+                                                                   ? "E w h^3 / (12 pi mu f L^4)"
+                                                                   : "E h^4 / (64 mu f L^4)",
+                                                               elastic_group(scene))});
       }
       if (scene.head.is_driven())
         plan.skipped.push_back({"head's motion", "given; the force and torque that drive it are reported"});

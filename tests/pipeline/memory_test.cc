@@ -1,6 +1,8 @@
 #include <tests/pipeline/simulation.h>
 #include <tests/places.h>
 
+#include <regex>
+
 namespace swimtwin
 {
   namespace
@@ -56,5 +58,19 @@ namespace swimtwin
     expect_failure(
         simulate_within("-v 780000", run_of_5000_unknowns.with({"numerics.mesh_growth=0.1"}), folder.path / "fine"), 1,
         {"too little memory", "unknowns needs about", "ulimit -v leaves", "coarser mesh", "mesh_growth"});
+  }
+
+  // Factors fill in more in space: 15.5 kB per unknown, not 4.
+  TEST(Memory, SystemsInSpaceNeedMore)
+  {
+    if (sanitized)
+      GTEST_SKIP() << "a sanitizer takes all address space for itself";
+    const TemporaryFolder folder;
+    const Outcome outcome = simulate_within("-v 780000", {"reference-3d-paper", {"variant=quick"}}, folder.path);
+    expect_failure(outcome, 1, {"too little memory", "unknowns needs about"});
+    std::smatch      found;
+    const std::regex numbers("a system of ([0-9]+) unknowns needs about ([0-9]+) MB");
+    ASSERT_TRUE(std::regex_search(outcome.err, found, numbers)) << outcome.err;
+    EXPECT_NEAR(std::stod(found[2]), 0.0155 * std::stod(found[1]), 2.);
   }
 } // namespace swimtwin
