@@ -38,6 +38,21 @@ namespace swimtwin
       set(overrides, "field.by_T", scale * field.by_T());
     }
 
+    void set_tail_shape(Overrides &overrides, const Tail &tail, const double scale)
+    {
+      if (tail.profile_m.empty())
+      {
+        set(overrides, "tail.length_m", scale * tail.length_m);
+        set(overrides, "tail.root_height_m", scale * tail.root_height_m);
+        set(overrides, "tail.tip_height_m", scale * tail.tip_height_m);
+        return;
+      }
+      std::vector<std::string> points;
+      for (const auto &[x, half_height] : tail.profile_m)
+        points.push_back(fmt::format("[{:.17g}, {:.17g}]", scale * x, scale * half_height));
+      overrides.push_back(fmt::format("tail.profile_m=[{}]", fmt::join(points, ", ")));
+    }
+
     void set_lengths(Overrides &overrides, const Scene &scene, const double scale)
     {
       const auto &[head, tail, domain] = std::tie(scene.head, scene.tail, scene.domain);
@@ -46,9 +61,7 @@ namespace swimtwin
       else
         set(overrides, "head.size_m", head.size_m, scale);
       set(overrides, "head.center_m", head.center_m, scale);
-      set(overrides, "tail.length_m", scale * tail->length_m);
-      set(overrides, "tail.root_height_m", scale * tail->root_height_m);
-      set(overrides, "tail.tip_height_m", scale * tail->tip_height_m);
+      set_tail_shape(overrides, *tail, scale);
       set(overrides, "domain.center_m", domain->center_m, scale);
       const bool straight = domain->shape == DomainShape::box || domain->shape == DomainShape::channel;
       if (straight)

@@ -14,7 +14,7 @@ namespace swimtwin
   {
     double mean_height_m(const Tail &tail)
     {
-      return .5 * (tail.root_height_m + tail.tip_height_m);
+      return tail.mean_height_m();
     }
   } // namespace
 
@@ -40,6 +40,8 @@ namespace swimtwin
       {
         const bool is_parabolic = wall.condition == WallCondition::inflow && wall.profile == InflowProfile::parabolic;
         largest                 = std::max(largest, std::abs(wall.speed_m_s) * (is_parabolic ? 1.5 : 1.));
+        const double height     = scene.domain->radius_m > 0. ? scene.domain->radius_m : .5 * scene.domain->size_m[1];
+        largest                 = std::max(largest, std::abs(wall.shear_rate_1_s) * height);
       }
     if (const HeadOscillation &given = scene.head.oscillation; scene.head.is_driven())
       largest = std::max(largest, two_pi * given.frequency_Hz *
@@ -93,6 +95,9 @@ namespace swimtwin
   {
     const Tail  &tail = *scene.tail;
     const double h    = mean_height_m(tail);
+    if (scene.dimension == 3 && tail.section == TailSection::rectangular)
+      return young_modulus_Pa * tail.width_m * std::pow(h, 3) /
+             (12. * std::numbers::pi * viscosity_Pa_s * frequency_Hz * std::pow(tail.length_m, 4));
     if (scene.dimension == 3)
       return young_modulus_Pa * std::pow(h / tail.length_m, 4) / (64. * viscosity_Pa_s * frequency_Hz);
     return young_modulus_Pa * std::pow(h / tail.length_m, 3) /

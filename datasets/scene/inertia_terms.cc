@@ -44,7 +44,7 @@ namespace swimtwin
 
     double tail_area_m2(const Tail &tail)
     {
-      return tail.length_m * .5 * (tail.root_height_m + tail.tip_height_m);
+      return tail.length_m * tail.mean_height_m();
     }
 
     /// Share of a whole of which `odds` is the ratio to the rest.

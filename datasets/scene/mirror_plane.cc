@@ -30,6 +30,8 @@ namespace swimtwin
 
     bool moves(const Wall &wall)
     {
+      if (wall.condition == Condition::shear_flow)
+        return wall.shear_rate_1_s != 0.;
       return (wall.condition == Condition::moving_wall || wall.condition == Condition::inflow) && wall.speed_m_s != 0.;
     }
 
@@ -42,6 +44,9 @@ namespace swimtwin
     std::string asymmetric_wall(const Domain &domain)
     {
       const auto &walls = domain.walls;
+      for (const auto &[name, wall] : walls)
+        if (wall.condition == Condition::shear_flow && moves(wall))
+          return "the flow at the wall " + name + " shears across the axis";
       for (const char *across : {"left", "right", "outer", "inner"})
         if (const auto found = walls.find(across);
             found != walls.end() && found->second.condition == Condition::moving_wall && moves(found->second))

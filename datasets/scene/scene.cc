@@ -1,5 +1,7 @@
 #include <datasets/scene/scene.h>
 
+#include <datasets/scene/tail_outline.h>
+
 #include <cmath>
 #include <algorithm>
 #include <numbers>
@@ -25,6 +27,18 @@ namespace swimtwin
     if (dimension == 2)
       return area_m2() * (xx + yy) / (shape == HeadShape::rectangle ? 12. : 16.);
     return volume(3) * (shape == HeadShape::rectangle ? xx / 12. + yy / 16. : (xx + yy) / 20.);
+  }
+
+  double Tail::mean_height_m() const
+  {
+    if (profile_m.empty())
+      return .5 * (root_height_m + tip_height_m);
+    constexpr int n    = 200;
+    const double  end  = profile_m.back()[0];
+    double        mean = 0.;
+    for (int i = 0; i < n; ++i)
+      mean += 2. * monotone_interpolation(profile_m, end * (i + .5) / n) / n;
+    return mean;
   }
 
   bool Domain::has_traction_free_wall() const

@@ -15,10 +15,11 @@ namespace swimtwin
 {
   enum class HeadShape { rectangle, disc, ellipse };
   enum class TipShape { rounded, flat };
+  enum class TailSection { circular, rectangular };
   enum class HeadMotion { free, fixed, prescribed };
   enum class MaterialModel { st_venant_kirchhoff, neo_hookean, rigid, prescribed };
   enum class DomainShape { box, channel, disc, annulus, cylinder, sphere };
-  enum class WallCondition { no_slip, traction_free, moving_wall, inflow };
+  enum class WallCondition { no_slip, traction_free, moving_wall, inflow, shear_flow };
   enum class InflowProfile { parabolic, uniform };
   enum class Inertia { automatic, none, full, chosen };
   enum class CouplingScheme { monolithic, fixed_point };
@@ -48,26 +49,28 @@ namespace swimtwin
   };
 
   /// Condition on one wall. `speed_m_s` is the mean inward normal speed of an inflow, or the tangential speed of a
-  /// moving wall (along +x on bottom and top, +y on left and right, counter-clockwise on circles).
+  /// moving wall (along +x on bottom and top, +y on left and right, counter-clockwise on circles). A shear flow gives
+  /// the fluid the velocity that it has in an unbounded one: shear_rate_1_s times the height above the domain's centre,
+  /// along +x.
   struct Wall
   {
     WallCondition condition = WallCondition::no_slip;
-    double        speed_m_s = 0.;
-    InflowProfile profile   = InflowProfile::parabolic;
-    double        ramp_s    = 0.; ///< the speed grows as (1 - cos(pi t / ramp)) / 2 before this time
+    double        speed_m_s = 0., shear_rate_1_s = 0.;
+    InflowProfile profile = InflowProfile::parabolic;
+    double        ramp_s  = 0.; ///< the speed grows as (1 - cos(pi t / ramp)) / 2 before this time
   };
 
   /// Fluid domain around the swimmer. Walls: left, right, bottom, top (box, channel); outer (disc); outer, inner
   /// (annulus).
   struct Domain
   {
-    DomainShape                 shape              = DomainShape::box;
-    std::array<double, 2>       center_m           = {0., 0.};
-    std::array<double, 2>       size_m             = {0., 0.}; ///< box and channel: lengths along x and y; cylinder: x
-    double                      size_z_m           = 0.;       ///< box and channel in three dimensions
-    double                      radius_m           = 0.;       ///< disc and annulus: outer radius; cylinder, sphere
-    double                      inner_radius_m     = 0.;       ///< annulus; its inner circle shares the centre
-    bool                        moves_with_swimmer = false;    ///< disc only: it keeps its place relative to the head
+    DomainShape           shape              = DomainShape::box;
+    std::array<double, 2> center_m           = {0., 0.};
+    std::array<double, 2> size_m             = {0., 0.}; ///< box and channel: lengths along x and y; cylinder: x
+    double                size_z_m           = 0.;       ///< box and channel in three dimensions
+    double                radius_m           = 0.;       ///< disc and annulus: outer radius; cylinder, sphere
+    double                inner_radius_m     = 0.;       ///< annulus; its inner circle shares the centre
+    bool                  moves_with_swimmer = false;    ///< disc and sphere: it keeps its place relative to the head
     std::map<std::string, Wall> walls; ///< complete after reading: every wall of the shape has its entry
 
     /// Whether the fluid can leave or enter freely somewhere, which also fixes the pressure's level.
@@ -122,21 +125,29 @@ namespace swimtwin
   };
 
   /// Elastic tail along +x, clamped to the head; it starts at the head's surface. The length is measured on the axis,
-  /// from the head's foremost point to the tip.
+  /// from the head's foremost point to the tip. Heights are diameters in space.
   struct Tail
   {
-    double        length_m      = 0.;
-    double        root_height_m = 0.;
-    double        tip_height_m  = 0.; ///< of the straight sides where they end; a rounded tip has half of it as radius
-    TipShape      tip           = TipShape::rounded;
-    MaterialModel law           = MaterialModel::st_venant_kirchhoff;
-    double        young_modulus_Pa = 0., poisson_ratio = 0., density_kg_m3 = 0.;
-    double        magnetization_A_m = 0.; ///< along the tail's +x in the reference configuration; energy -int B . (F M)
-    TailWave      wave;                   ///< of a prescribed shape
-    bool          is_rigid() const { return law == MaterialModel::rigid; }
-    bool          is_driven() const { return law == MaterialModel::prescribed; }
-    bool          is_elastic() const { return !is_rigid() && !is_driven(); } ///< else moduli are without meaning
-    bool          has_inertia_in_vacuum = false; ///< else it is in equilibrium at every instant
+    double length_m      = 0.;
+    double root_height_m = 0.;
+    double tip_height_m  = 0.; ///< of the straight sides where they end; a rounded tip has half of it as radius
+    /// Distance (m) from where the length begins and half height there, of points on sides that are not straight
+    /// (datasets/scene/tail_outline.h); the three lengths above follow from them.
+    std::vector<std::array<double, 2>> profile_m;
+    TipShape                           tip     = TipShape::rounded;
+    TailSection                        section = TailSection::circular; ///< in space
+    double                             width_m = 0.; ///< along z, of a rectangular section; heights are along y
+    MaterialModel                      law     = MaterialModel::st_venant_kirchhoff;
+    double                             young_modulus_Pa = 0., poisson_ratio = 0., density_kg_m3 = 0.;
+    double   magnetization_A_m = 0.; ///< along the tail's +x in the reference configuration; energy -int B . (F M)
+    TailWave wave;                   ///< of a prescribed shape
+    bool     is_rigid() const { return law == MaterialModel::rigid; }
+    bool     is_driven() const { return law == MaterialModel::prescribed; }
+    bool     is_elastic() const { return !is_rigid() && !is_driven(); } ///< else moduli are without meaning
+    bool     has_inertia_in_vacuum = false;                             ///< else it is in equilibrium at every instant
+
+    /// Of the sides, between the head and their end.
+    double mean_height_m() const;
   };
 
   struct Gravity

@@ -57,6 +57,13 @@ namespace swimtwin
   };
 
   template <>
+  struct Names<TailSection>
+  {
+    static constexpr std::array<std::pair<std::string_view, TailSection>, 2> list{
+        {{"circular", TailSection::circular}, {"rectangular", TailSection::rectangular}}};
+  };
+
+  template <>
   struct Names<MaterialModel>
   {
     static constexpr std::array<std::pair<std::string_view, MaterialModel>, 4> list{
@@ -80,11 +87,12 @@ namespace swimtwin
   template <>
   struct Names<WallCondition>
   {
-    static constexpr std::array<std::pair<std::string_view, WallCondition>, 4> list{
+    static constexpr std::array<std::pair<std::string_view, WallCondition>, 5> list{
         {{"no-slip", WallCondition::no_slip},
          {"traction-free", WallCondition::traction_free},
          {"moving-wall", WallCondition::moving_wall},
-         {"inflow", WallCondition::inflow}}};
+         {"inflow", WallCondition::inflow},
+         {"shear-flow", WallCondition::shear_flow}}};
   };
 
   template <>

@@ -110,6 +110,7 @@ namespace swimtwin
       TomlTable table(document, path);
       read_choice(table, "condition", wall.condition, Need::required);
       table.number("speed_m_s", optional("m/s", any_number), wall.speed_m_s);
+      table.number("shear_rate_1_s", optional("1/s", any_number), wall.shear_rate_1_s);
       read_choice(table, "profile", wall.profile);
       table.number("ramp_s", optional("s", not_negative), wall.ramp_s);
       table.finish();
@@ -202,14 +203,32 @@ namespace swimtwin
       return head;
     }
 
+    /// Straight sides, or points that they go through; from these follow the three lengths of straight ones.
+    void read_tail_shape(TomlTable &table, Tail &tail)
+    {
+      read_choice(table, "section", tail.section);
+      table.number("width_m", optional("m"), tail.width_m);
+      if (tail.section == TailSection::rectangular)
+        tail.tip = TipShape::flat;
+      read_choice(table, "tip", tail.tip);
+      table.pairs("profile_m", optional("m", not_negative), tail.profile_m);
+      const Need lengths = table.has("profile_m") ? Need::optional : Need::required;
+      table.number("length_m", {"m", positive, lengths}, tail.length_m);
+      table.number("root_height_m", {"m", positive, lengths}, tail.root_height_m);
+      table.number("tip_height_m", {"m", positive, lengths}, tail.tip_height_m);
+      if (tail.profile_m.empty())
+        return;
+      const auto &[end, end_half_height] = tail.profile_m.back();
+      tail.root_height_m                 = 2. * tail.profile_m.front()[1];
+      tail.tip_height_m                  = 2. * end_half_height;
+      tail.length_m                      = end + (tail.tip == TipShape::rounded ? end_half_height : 0.);
+    }
+
     std::optional<Tail> read_tail(const TomlDocument &document)
     {
       TomlTable table(document, "tail");
       Tail      tail;
-      table.number("length_m", required("m"), tail.length_m);
-      table.number("root_height_m", required("m"), tail.root_height_m);
-      table.number("tip_height_m", required("m"), tail.tip_height_m);
-      read_choice(table, "tip", tail.tip);
+      read_tail_shape(table, tail);
       read_choice(table, "law", tail.law);
       const Need moduli = tail.is_elastic() ? Need::required : Need::optional;
       table.number("young_modulus_Pa", {"Pa", positive, moduli}, tail.young_modulus_Pa);
@@ -331,7 +350,8 @@ namespace swimtwin
       if (domain.shape == DomainShape::disc || domain.shape == DomainShape::annulus ||
           domain.shape == DomainShape::sphere)
         return domain.inner_radius_m > 0. ? domain.radius_m - domain.inner_radius_m : 2. * domain.radius_m;
-      return std::min(domain.size_m[0], domain.size_m[1]);
+      const double smallest = std::min(domain.size_m[0], domain.size_m[1]);
+      return domain.size_z_m > 0. ? std::min(smallest, domain.size_z_m) : smallest;
     }
 
     /// Mesh sizes of a scene that gives none: 60 elements along the body (20 in space), 4 times finer at corners

@@ -9,7 +9,8 @@ namespace swimtwin
 {
   namespace
   {
-    using Point = std::array<double, 2>;
+    using Point        = std::array<double, 2>;
+    using PointInSpace = std::array<double, 3>;
 
     // Chords of a curve leave it by a 1 / (2 n^2) part of its radius times pi^2: 1e-5 here.
     constexpr int n_chords = 720;
@@ -42,12 +43,32 @@ namespace swimtwin
       }
     }
 
+    /// From the root below to the end, and above back to the root.
+    void add_sides(std::vector<Point> &outline, const TailOutline &tail)
+    {
+      std::vector<Point> above;
+      for (int i = 0; i <= n_chords; ++i)
+      {
+        const double s = static_cast<double>(i) / n_chords, x = (1. - s) * tail.x_root_m + s * tail.x_end_m;
+        above.push_back({x, tail.half_height_m(x)});
+      }
+      for (const auto &[x, r] : above)
+        outline.push_back({x, -r});
+      outline.insert(outline.end(), above.rbegin(), above.rend());
+    }
+
     void add_tail(std::vector<Point> &outline, const Head &head, const Tail &tail)
     {
       const TailOutline sides = tail_outline(head, tail);
-      const double      root = 0.5 * tail.root_height_m, tip = 0.5 * tail.tip_height_m;
-      add_edge(outline, {sides.x_root_m, -root}, {sides.x_end_m, -tip});
-      add_edge(outline, {sides.x_end_m, tip}, {sides.x_root_m, root});
+      const double      tip   = 0.5 * tail.tip_height_m;
+      if (tail.profile_m.empty())
+      {
+        const double root = 0.5 * tail.root_height_m;
+        add_edge(outline, {sides.x_root_m, -root}, {sides.x_end_m, -tip});
+        add_edge(outline, {sides.x_end_m, tip}, {sides.x_root_m, root});
+      }
+      else
+        add_sides(outline, sides);
       if (tail.tip == TipShape::flat)
         return add_edge(outline, {sides.x_end_m, -tip}, {sides.x_end_m, tip});
       for (int i = 0; i <= n_chords / 2; ++i)
@@ -55,6 +76,15 @@ namespace swimtwin
         const double angle = std::numbers::pi * (2. * i / n_chords - 0.5);
         outline.push_back({sides.x_end_m + tip * std::cos(angle), tip * std::sin(angle)});
       }
+    }
+
+    std::vector<Point> outline_in_head_frame(const Scene &scene)
+    {
+      std::vector<Point> outline;
+      add_head(outline, scene.head);
+      if (scene.tail)
+        add_tail(outline, scene.head, *scene.tail);
+      return outline;
     }
 
     void place(std::vector<Point> &outline, const Head &head)
@@ -65,23 +95,54 @@ namespace swimtwin
     }
 
     /// Signed distances of a point to the walls, positive inside the fluid.
-    std::vector<Clearance> wall_distances(const Domain &domain, const Point &point)
+    std::vector<Clearance> wall_distances(const Domain &domain, const PointInSpace &point)
     {
-      const double dx = point[0] - domain.center_m[0], dy = point[1] - domain.center_m[1];
+      const double dx = point[0] - domain.center_m[0], dy = point[1] - domain.center_m[1], z = point[2];
       if (domain.shape == DomainShape::box || domain.shape == DomainShape::channel)
       {
-        const double a = 0.5 * domain.size_m[0], b = 0.5 * domain.size_m[1];
-        return {{"left", a + dx}, {"right", a - dx}, {"bottom", b + dy}, {"top", b - dy}};
+        const double           a = 0.5 * domain.size_m[0], b = 0.5 * domain.size_m[1], c = 0.5 * domain.size_z_m;
+        std::vector<Clearance> distances{{"left", a + dx}, {"right", a - dx}, {"bottom", b + dy}, {"top", b - dy}};
+        if (c > 0.)
+          distances.insert(distances.end(), {{"front", c - z}, {"back", c + z}});
+        return distances;
       }
       if (domain.shape == DomainShape::cylinder)
       {
         const double a = 0.5 * domain.size_m[0];
-        return {{"left", a + dx}, {"right", a - dx}, {"outer", domain.radius_m - std::abs(dy)}};
+        return {{"left", a + dx}, {"right", a - dx}, {"outer", domain.radius_m - std::hypot(dy, z)}};
       }
-      std::vector<Clearance> distances{{"outer", domain.radius_m - std::hypot(dx, dy)}};
+      std::vector<Clearance> distances{{"outer", domain.radius_m - std::hypot(dx, dy, z)}};
       if (domain.shape == DomainShape::annulus)
         distances.push_back({"inner", std::hypot(dx, dy) - domain.inner_radius_m});
       return distances;
+    }
+
+    /// The outline itself in the plane; in space the circles that its upper half describes about the axis.
+    std::vector<PointInSpace> surface_points(const Scene &scene)
+    {
+      std::vector<PointInSpace> points;
+      if (scene.dimension == 2)
+      {
+        for (const auto &[x, y] : swimmer_outline(scene))
+          points.push_back({x, y, 0.});
+        return points;
+      }
+      constexpr int n_angles = 24; // of half a turn: what is farthest along y or z is among them
+      const double  c = std::cos(scene.head.angle_rad), s = std::sin(scene.head.angle_rad);
+      const auto    add = [&](const double x, const double y, const double z) {
+        points.push_back({scene.head.center_m[0] + c * x - s * y, scene.head.center_m[1] + s * x + c * y, z});
+      };
+      Scene      round   = scene;
+      const bool is_film = scene.tail && scene.tail->section == TailSection::rectangular;
+      if (is_film)
+        round.tail.reset();
+      for (const auto &[x, r] : outline_in_head_frame(round))
+        for (int i = 0; r >= 0. && i <= n_angles; ++i)
+          add(x, r * std::cos(std::numbers::pi * i / n_angles), r * std::sin(std::numbers::pi * i / n_angles));
+      if (is_film)
+        for (const auto &[x, y] : outline_in_head_frame(scene))
+          add(x, y, std::abs(x) > .5 * scene.head.size_m[0] ? .5 * scene.tail->width_m : 0.);
+      return points;
     }
 
     /// The centre of an annulus lies in the fluid's hole: a body around it overlaps the hole although its outline may
@@ -98,29 +159,13 @@ namespace swimtwin
       if (!scene.tail)
         return false;
       const TailOutline sides = tail_outline(head, *scene.tail);
-      const double      along = (x - sides.x_root_m) / (sides.x_end_m - sides.x_root_m);
-      const double      half  = 0.5 * ((1. - along) * scene.tail->root_height_m + along * scene.tail->tip_height_m);
-      return along > 0. && along < 1. && y < half;
+      return x > sides.x_root_m && x < sides.x_end_m && y < sides.half_height_m(x);
     }
   } // namespace
 
-  TailOutline tail_outline(const Head &head, const Tail &tail)
-  {
-    const double a      = 0.5 * head.size_m[0];
-    const double height = std::min(1., tail.root_height_m / head.size_m[1]);
-    TailOutline  sides;
-    sides.x_root_m = head.shape == HeadShape::rectangle ? a : a * std::sqrt(1. - height * height);
-    sides.x_tip_m  = a + tail.length_m;
-    sides.x_end_m  = sides.x_tip_m - (tail.tip == TipShape::rounded ? 0.5 * tail.tip_height_m : 0.);
-    return sides;
-  }
-
   std::vector<std::array<double, 2>> swimmer_outline(const Scene &scene)
   {
-    std::vector<Point> outline;
-    add_head(outline, scene.head);
-    if (scene.tail)
-      add_tail(outline, scene.head, *scene.tail);
+    std::vector<Point> outline = outline_in_head_frame(scene);
     place(outline, scene.head);
     return outline;
   }
@@ -129,7 +174,7 @@ namespace swimtwin
   {
     const Domain &domain = *scene.domain;
     Clearance     closest{"", std::numeric_limits<double>::infinity()};
-    for (const Point &point : swimmer_outline(scene))
+    for (const PointInSpace &point : surface_points(scene))
       for (const Clearance &candidate : wall_distances(domain, point))
         if (candidate.distance_m < closest.distance_m)
           closest = candidate;

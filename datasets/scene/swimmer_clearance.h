@@ -1,7 +1,7 @@
 // How far a swimmer at rest is from the walls around it.
 #pragma once
 
-#include <datasets/scene/scene.h>
+#include <datasets/scene/tail_outline.h>
 
 #include <array>
 #include <string>
@@ -9,17 +9,8 @@
 
 namespace swimtwin
 {
-  /// Where the straight sides of a tail begin (on the head's surface) and end, along x from the head's centre.
-  struct TailOutline
-  {
-    double x_root_m = 0.;
-    double x_end_m  = 0.; ///< the tip of a flat tail; one tip radius before the tip of a rounded one
-    double x_tip_m  = 0.;
-  };
-
-  TailOutline tail_outline(const Head &head, const Tail &tail);
-
-  /// Points of the swimmer's outline at its initial pose, in m: corners, and curves by short chords.
+  /// Points of the swimmer's outline at its initial pose, in the plane of motion, in m: corners, and curves by short
+  /// chords.
   std::vector<std::array<double, 2>> swimmer_outline(const Scene &scene);
 
   struct Clearance

@@ -98,6 +98,32 @@ namespace swimtwin
     list(key, rule, "an array of two numbers [x, y]", target.data(), target.size());
   }
 
+  void TomlTable::pairs(const std::string &key, const NumberRule &rule, std::vector<std::array<double, 2>> &target)
+  {
+    const std::string expected = "an array of points [[x, y], ...]" + in_unit(rule.unit);
+    const toml::node *node     = entry(key, rule.need, expected);
+    if (node == nullptr)
+      return;
+    const toml::array *points = node->as_array();
+    if (points == nullptr || points->empty())
+      return wrong_type(key, expected);
+    for (const toml::node &point : *points)
+    {
+      const toml::array *array = point.as_array();
+      if (array == nullptr || array->size() != 2)
+        return wrong_type(key, expected);
+      std::array<double, 2> values;
+      for (std::size_t i = 0; i < 2; ++i)
+      {
+        const std::optional<double> value = read_number(key, *array->get(i), rule);
+        if (!value)
+          return wrong_type(key, expected);
+        values[i] = *value;
+      }
+      target.push_back(values);
+    }
+  }
+
   void TomlTable::triple(const std::string &key, const NumberRule &rule, std::array<double, 3> &target)
   {
     list(key, rule, "an array of three numbers [x, y, z]", target.data(), target.size());

@@ -53,6 +53,8 @@ namespace swimtwin
     void number(const std::string &key, const NumberRule &rule, std::optional<double> &target);
     /// An array of two numbers.
     void pair(const std::string &key, const NumberRule &rule, std::array<double, 2> &target);
+    /// An array, not empty, of arrays of two numbers.
+    void pairs(const std::string &key, const NumberRule &rule, std::vector<std::array<double, 2>> &target);
     /// Of three.
     void triple(const std::string &key, const NumberRule &rule, std::array<double, 3> &target);
     void integer(const std::string &key, const NumberRule &rule, int &target);

@@ -54,7 +54,7 @@ namespace swimtwin
   void FluidDomain<dim>::set_wall_velocities(MotionMap<dim> &map, const double time_s) const
   {
     for (const auto &[node, wall, name] : fluid_mesh_.wall_nodes)
-      if (wall->condition == WallCondition::moving_wall || wall->condition == WallCondition::inflow)
+      if (wall->condition != WallCondition::no_slip && wall->condition != WallCondition::traction_free)
       {
         const Tensor<1, dim> v = wall_velocity(*scene_.domain, name, positions_[node], time_s);
         for (int c = 0; c < dim; ++c)

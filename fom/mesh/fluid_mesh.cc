@@ -213,16 +213,19 @@ namespace swimtwin
     Tensor<1, dim> v;
     if (wall.condition == WallCondition::moving_wall)
     {
-      if (is_round(domain))
+      if (is_round(domain) || domain.shape == DomainShape::sphere)
       {
-        // about the axis along z
-        const double a = x[0] - domain.center_m[0], b = x[1] - domain.center_m[1], rate = speed / std::hypot(a, b);
-        v[0] = -rate * b;
-        v[1] = rate * a;
+        // about the axis along z, a sphere as a whole
+        const double a = x[0] - domain.center_m[0], b = x[1] - domain.center_m[1],
+                     rate = speed / (dim == 3 ? domain.radius_m : std::hypot(a, b));
+        v[0]              = -rate * b;
+        v[1]              = rate * a;
       }
       else
         v[is_vertical ? 1 : 0] = speed;
     }
+    else if (wall.condition == WallCondition::shear_flow)
+      v[0] = ramp * wall.shear_rate_1_s * (x[1] - domain.center_m[1]);
     else if (wall.condition == WallCondition::inflow)
     {
       const int    along = is_vertical ? 1 : 0;

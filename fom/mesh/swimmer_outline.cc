@@ -1,5 +1,6 @@
 #include <fom/mesh/swimmer_outline.h>
 
+#include <datasets/scene/tail_outline.h>
 #include <fom/geometry/reflection.h>
 
 #include <cmath>
@@ -57,13 +58,23 @@ namespace swimtwin
                                                 : ellipse_curves(head.size_m, root_half_height);
     }
 
-    /// Upper side of the tail from the root to the tip on the axis.
-    std::vector<PlanarCurve> side_curves(const Tail &tail, const Point<2> &root_end, const double foremost_x)
+    /// Through the points of a profile, from where the head's curves end bit by bit.
+    PlanarCurve curved_side(const TailOutline &tail, const Point<2> &root_end)
     {
-      const double r = tail.tip_height_m / 2, x_tip = foremost_x + tail.length_m;
-      if (tail.tip == TipShape::flat)
-        return {PlanarCurve::line(root_end, {x_tip, r}), PlanarCurve::line({x_tip, r}, {x_tip, 0})};
-      return {PlanarCurve::line(root_end, {x_tip - r, r}), PlanarCurve::arc({x_tip - r, 0}, {r, r}, pi / 2, 0.)};
+      const PlanarCurve graph =
+          PlanarCurve::graph([=](const double x) { return tail.half_height_m(x); }, tail.x_root_m, tail.x_end_m);
+      return {[=](const double t) { return t == 0. ? root_end : graph.position(t); }};
+    }
+
+    /// Upper side of the tail from the root to the tip on the axis.
+    std::vector<PlanarCurve> side_curves(const Head &head, const Tail &tail, const Point<2> &root_end)
+    {
+      const double r = tail.tip_height_m / 2, x_tip = head.size_m[0] / 2 + tail.length_m;
+      const bool   is_flat = tail.tip == TipShape::flat;
+      const double x_end   = is_flat ? x_tip : x_tip - r;
+      return {tail.profile_m.empty() ? PlanarCurve::line(root_end, {x_end, r})
+                                     : curved_side(tail_outline(head, tail), root_end),
+              is_flat ? PlanarCurve::line({x_end, r}, {x_tip, 0}) : PlanarCurve::arc({x_end, 0}, {r, r}, pi / 2, 0.)};
     }
 
     std::vector<Point<2>> divide_all(const std::vector<PlanarCurve> &curves, const SizeField &size)
@@ -97,7 +108,7 @@ namespace swimtwin
     {
       const double x_tip = head.size_m[0] / 2 + tail->length_m;
       fine.push_back(tail->tip == TipShape::flat ? Point<2>(x_tip, tail->tip_height_m / 2) : Point<2>(x_tip, 0));
-      curves.side = side_curves(*tail, shape.root_end, head.size_m[0] / 2);
+      curves.side = side_curves(head, *tail, shape.root_end);
       curves.root = shape.root;
       curves.tip  = Point<2>(x_tip, 0);
     }

@@ -125,6 +125,7 @@ namespace swimtwin
       case WallCondition::inflow:
         return 1;
       case WallCondition::moving_wall:
+      case WallCondition::shear_flow:
         return 2;
       default:
         return 3;

@@ -18,7 +18,8 @@ namespace swimtwin
     bool walls_are_still(const Domain &domain)
     {
       for (const auto &[name, wall] : domain.walls)
-        if (wall.condition == WallCondition::moving_wall || wall.condition == WallCondition::inflow)
+        if (wall.condition == WallCondition::moving_wall || wall.condition == WallCondition::inflow ||
+            wall.condition == WallCondition::shear_flow)
           return false;
       return true;
     }

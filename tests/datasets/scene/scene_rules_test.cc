@@ -32,6 +32,7 @@ namespace swimtwin
     }
 
     const Overrides in_a_disc{"domain={shape=\"disc\", radius_m=0.02}"};
+    const Overrides in_space{"dimension=3", "head.shape=cylinder", "domain.size_m=[40e-3, 20e-3, 20e-3]"};
     const Overrides in_an_annulus{"domain={shape=\"annulus\", radius_m=0.02, inner_radius_m=0.005}"};
 
     Overrides operator+(Overrides a, const Overrides &b)
@@ -46,7 +47,6 @@ namespace swimtwin
     expect_refused({"dimension=4"}, "dimension = 4 is not a space that swimmers live in; use 2 or 3.");
     expect_refused({"dimension=3"},
                    "size_m = [0.04, 0.02] has the wrong type; an array of three numbers [x, y, z] in m");
-    const Overrides in_space{"dimension=3", "head.shape=cylinder", "domain.size_m=[40e-3, 20e-3, 20e-3]"};
     expect_accepted(swimmer_toml, in_space);
     expect_refused(in_space + Overrides{"domain.size_m=[40e-3, 20e-3]"}, "an array of three numbers [x, y, z]");
     expect_refused(in_space + Overrides{"numerics.coupling=fixed-point"}, "in three dimensions; use \"monolithic\"");
@@ -279,6 +279,108 @@ namespace swimtwin
     expect_refused({"head.center_m=[0, 9.3e-3]"}, "which reaches 5e-05 m beyond the top wall");
     expect_refused({"head.center_m=[-20e-3, 0]"}, "beyond the left wall");
     expect_accepted(swimmer_toml, {"head.center_m=[12.2e-3, 0]"});
+  }
+
+  TEST(SceneRules, ASwimmerInSpaceIsInsideItsBox)
+  {
+    const auto deep = [&](const char *depth) {
+      return in_space + Overrides{std::string("domain.size_m=[40e-3, 20e-3, ") + depth + "]"};
+    };
+    expect_refused(deep("1.2e-3"), "reaches 0.00015 m beyond the front wall; enlarge the domain");
+    expect_refused(deep("1.5e-3"), "touches the front wall");
+    expect_accepted(swimmer_toml, deep("1.6e-3"));
+  }
+
+  // Turned by a right angle about a centre at y = 3 mm, a head 0.5 mm long and 1.5 mm wide has its rim at y = 3.25 mm
+  // and at distances up to 0.75 mm beside it.
+  TEST(SceneRules, ASwimmerInSpaceIsInsideItsVesselAllAround)
+  {
+    const auto vessel = [](const char *radius) {
+      return Overrides{"dimension=3",
+                       "head.shape=cylinder",
+                       "head.center_m=[0.0, 3e-3]",
+                       "head.angle_rad=1.5707963267948966",
+                       "tail.length_m=1e-3",
+                       std::string("domain={shape=\"cylinder\", length_m=0.04, radius_m=") + radius + "}"};
+    };
+    expect_accepted(swimmer_toml, vessel("4.3e-3"));
+    expect_refused(vessel("4.2e-3"), "beyond the outer wall");
+    expect_refused(vessel("4.2e-3") + Overrides{"head.angle_rad=-1.5707963267948966", "tail.length_m=0.5e-3",
+                                                "domain.radius_m=3.3e-3"},
+                   "reaches 3.542e-05 m beyond the outer wall"); // hypot(3.25, 0.75) - 3.3 mm
+  }
+
+  TEST(SceneRules, AProfileIsAWholeTail)
+  {
+    const auto profile = [](const std::string &points) {
+      return Overrides{"tail={profile_m=" + points + ", law=\"rigid\", density_kg_m3=1300.0}"};
+    };
+    const Overrides swelling = profile("[[0.0, 0.3e-3], [3e-3, 1.2e-3], [6e-3, 0.2e-3]]");
+    const Scene     scene    = parse_scene(swimmer_toml, "scene.toml", swelling);
+    EXPECT_DOUBLE_EQ(scene.tail->length_m, 6.2e-3);
+    EXPECT_DOUBLE_EQ(scene.tail->root_height_m, 0.6e-3);
+    EXPECT_DOUBLE_EQ(scene.tail->tip_height_m, 0.4e-3);
+    expect_refused(in_space + swelling + Overrides{"domain.size_m=[40e-3, 20e-3, 2.2e-3]"},
+                   "reaches 0.0001 m beyond the front wall");
+    expect_refused(swelling + Overrides{"tail.length_m=6e-3"}, "does not go with profile_m, which says it");
+    expect_refused(profile("[[0.0, 0.3e-3]]"), "has one point; give at least two");
+    expect_refused(profile("[[1e-3, 0.3e-3], [2e-3, 0.3e-3]]"), "its first distance must be 0");
+    expect_refused(profile("[[0.0, 0.3e-3], [2e-3, 0.3e-3], [2e-3, 0.2e-3]]"), "distances must grow");
+    expect_refused(profile("[[0.0, 0.3e-3], [2e-3, 0.0]]"),
+                   "has the radius 0 m at 0.002 m; every radius must be positive");
+    expect_refused(profile("[[0.0, -0.3e-3], [2e-3, 0.1e-3]]"), "must not be negative (unit: m)");
+    expect_refused(profile("[]"), "an array of points [[x, y], ...] in m");
+    expect_refused(profile("[[0.0, 0.3e-3], [2e-3]]"), "an array of points [[x, y], ...] in m");
+    expect_refused(profile("[[0.0, 0.8e-3], [2e-3, 0.1e-3]]"), "the tail must start on the head");
+    expect_refused(profile("[[0.0, 0.6e-3], [0.4e-3, 0.1e-3], [2e-3, 0.1e-3]]") +
+                       Overrides{"head={shape=\"disc\", diameter_m=1.5e-3, density_kg_m3=7000.0}"},
+                   "cut into the head's curve");
+  }
+
+  TEST(SceneRules, ATailInSpaceLeavesARoundHeadAtAnAngle)
+  {
+    const auto sphere = [](const char *root) {
+      return in_space + Overrides{"head={shape=\"sphere\", diameter_m=1.5e-3, density_kg_m3=7000.0}",
+                                  std::string("tail.root_height_m=") + root};
+    };
+    expect_refused(sphere("1.49e-3"), "an angle of 2 degrees, too thin a wedge to be meshed; at least 8.6 degrees");
+    expect_accepted(swimmer_toml, sphere("1.45e-3"));
+  }
+
+  TEST(SceneRules, AFilmFitsInTheBackOfACylinder)
+  {
+    const Overrides film =
+        in_space + Overrides{"tail.section=rectangular", "tail.root_height_m=0.2e-3", "tail.width_m=1.2e-3"};
+    expect_accepted(swimmer_toml, film);
+    EXPECT_EQ(parse_scene(swimmer_toml, "scene.toml", film).tail->tip, TipShape::flat);
+    expect_refused(film + Overrides{"tail.width_m=1.6e-3"}, "corners are 0.001612 m apart, which does not fit");
+    expect_refused(film + Overrides{"tail.tip=rounded"}, "a rectangular one has straight sides and a flat tip");
+    expect_refused(film + Overrides{"domain.size_m=[40e-3, 20e-3, 1.4e-3]"}, "beyond the front wall");
+    expect_refused(film + Overrides{"head={shape=\"sphere\", diameter_m=1.5e-3, density_kg_m3=7000.0}"},
+                   "needs a head with a flat back");
+    expect_refused(in_space + Overrides{"tail.width_m=1e-3"}, "belongs to a rectangular section");
+    expect_refused(in_space + Overrides{"tail.section=rectangular"}, "width_m is missing");
+    expect_refused({"tail.section=rectangular"}, "is for three dimensions");
+  }
+
+  TEST(SceneRules, AShearFlowHasARateAndNoInertiaWhereTheDomainMoves)
+  {
+    const auto outer = [](const char *wall) {
+      return Overrides{"domain={shape=\"disc\", radius_m=0.02, moves_with_swimmer=true}",
+                       std::string("domain.walls.outer=") + wall};
+    };
+    const char *shear = "{condition=\"shear-flow\", shear_rate_1_s=1.0}";
+    expect_accepted(swimmer_toml, outer(shear) + Overrides{"fluid.inertia=none"});
+    expect_refused(outer(shear) + Overrides{"fluid.inertia=full"}, "does not go with a shear flow that has inertia");
+    expect_refused(outer("{condition=\"shear-flow\"}"), "has no rate; write outer = {");
+    expect_refused(outer("{condition=\"no-slip\", shear_rate_1_s=1.0}"), "belongs to a shear flow only");
+    expect_refused(outer("{condition=\"shear-flow\", shear_rate_1_s=1.0, speed_m_s=1.0}"), "remove it");
+  }
+
+  TEST(SceneRules, MeshesInSpaceHaveNoMoreTetrahedraThanAMachineHolds)
+  {
+    expect_refused(in_space + Overrides{"numerics.mesh_size_m=1e-5"}, "tetrahedra; at most 3e+06 are possible");
+    expect_accepted(swimmer_toml, in_space + Overrides{"numerics.mesh_size_m=2e-4"});
   }
 
   TEST(SceneRules, TheInitialAngleCounts)

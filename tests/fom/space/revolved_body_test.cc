@@ -1,0 +1,135 @@
+// Meshes of bodies of revolution and of the fluid around them: what differs in size, slenderness and profile.
+#include <datasets/scene/tail_outline.h>
+#include <fom/body/mesh_around.h>
+#include <tests/fom/shipped_scene.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iostream>
+#include <numbers>
+
+namespace swimtwin
+{
+  namespace
+  {
+    using namespace dealii;
+
+    struct MeshesInSpace
+    {
+      unsigned int n_fluid_cells = 0, n_tail_cells = 0;
+      double       fluid_quality = 0., tail_quality = 0.;
+    };
+
+    MeshesInSpace meshes_of(const Scene &scene)
+    {
+      const Swimmer<3>   swimmer(scene, MPI_COMM_WORLD);
+      const FluidMesh<3> fluid = mesh_around(swimmer, swimmer.configuration_at_rest(), MPI_COMM_WORLD);
+      const auto        &tail  = swimmer.tail().mesh;
+      return {fluid.mesh.n_cells(), tail.n_cells(), worst_quality(fluid.mesh, fluid.mesh.nodes),
+              worst_quality(tail, tail.nodes)};
+    }
+
+    Scene swimmer_times(const double scale)
+    {
+      const auto length = [&](const char *key, const double metres) { return override_entry(key, scale * metres); };
+      const auto size   = [&](const std::string &key, const std::vector<double> &metres) {
+        std::string text = key + "=[";
+        for (const double x : metres)
+          text += std::to_string(1e9 * x) + "e-9, ";
+        return text + "]";
+      };
+      return shipped_scene("reference-3d-paper",
+                           {"variant=quick", size("domain.size_m", {.04 * scale, .02 * scale, .02 * scale}),
+                            size("head.size_m", {5e-4 * scale, 1.5e-3 * scale}), length("tail.length_m", 7.5e-3),
+                            length("tail.root_height_m", 1.5e-3), length("tail.tip_height_m", 2e-4),
+                            length("numerics.mesh_size_m", 6e-4), length("numerics.mesh_size_corner_m", 2e-4),
+                            length("numerics.mesh_size_far_m", 4e-3)});
+    }
+
+    void expect_sound(const MeshesInSpace &meshes)
+    {
+      EXPECT_GT(meshes.fluid_quality, 0.);
+      EXPECT_GT(meshes.tail_quality, 0.);
+    }
+  } // namespace
+
+  TEST(RevolvedBody, IsMeshedAlikeAtEverySize)
+  {
+    const MeshesInSpace unit = meshes_of(swimmer_times(1.));
+    expect_sound(unit);
+    for (const double scale : {1e-3, 0.37, 1e5})
+    {
+      const MeshesInSpace scaled = meshes_of(swimmer_times(scale));
+      expect_sound(scaled);
+      EXPECT_NEAR(scaled.n_fluid_cells, unit.n_fluid_cells, .05 * unit.n_fluid_cells) << scale;
+      EXPECT_NEAR(scaled.n_tail_cells, unit.n_tail_cells, .05 * unit.n_tail_cells) << scale;
+    }
+  }
+
+  // A tail nearly as thick as the spherical head it leaves, at an angle of 10 degrees: in the wedge between them cells
+  // can but be thin.
+  TEST(RevolvedBody, IsMeshedInAThinWedge)
+  {
+    const Scene scene = shipped_scene(
+        "reference-3d-paper", {"variant=quick", "head={shape=\"sphere\", diameter_m=1.5e-3, density_kg_m3=7000.0}",
+                               "tail.root_height_m=1.45e-3"});
+    expect_sound(meshes_of(scene));
+  }
+
+  TEST(RevolvedBody, HasThePointsOfItsProfile)
+  {
+    const Scene      scene = shipped_scene("vessel-3d", {"variant=quick"});
+    const Swimmer<3> swimmer(scene, MPI_COMM_WORLD);
+    const auto       outline = tail_outline(scene.head, *scene.tail);
+    for (const auto &[x, half_height] : scene.tail->profile_m)
+      EXPECT_NEAR(outline.half_height_m(x + scene.head.size_m[0] / 2), half_height, x == 0. ? 2e-5 : 1e-18);
+    int n_on_side = 0;
+    for (unsigned int k = 0; k < swimmer.body().surface.nodes.size(); ++k)
+      if (const auto &X = swimmer.body().surface.nodes[k];
+          swimmer.body().tail_node[k] >= 0 && X[0] > outline.x_root_m && X[0] < outline.x_end_m)
+      {
+        EXPECT_NEAR(std::hypot(X[1], X[2]), outline.half_height_m(X[0]), 1e-12);
+        ++n_on_side;
+      }
+    EXPECT_GT(n_on_side, 100);
+  }
+
+  TEST(FilmBody, FillsABoxBehindACylinder)
+  {
+    const Scene      scene = shipped_scene("film-3d", {"variant=quick", "tail.tip_height_m=0.1e-3"});
+    const Swimmer<3> swimmer(scene, MPI_COMM_WORLD);
+    const Tail      &tail     = *scene.tail;
+    const double     cylinder = scene.head.volume(3), film = tail.width_m * tail.length_m * tail.mean_height_m();
+    // The cylinder's sides are quadratic faces.
+    EXPECT_NEAR(swimmer.volume(swimmer.configuration_at_rest()), cylinder + film, 1e-3 * cylinder);
+    expect_sound(meshes_of(scene));
+  }
+
+  TEST(TailOutline, IsMonotoneBetweenItsPoints)
+  {
+    const std::vector<std::array<double, 2>> points{{0., 1.}, {1., 1.}, {1.5, 3.}, {4., 3.1}, {5., .2}};
+    for (std::size_t i = 0; i + 1 < points.size(); ++i)
+      for (int k = 0; k <= 50; ++k)
+      {
+        const auto &[a, low]  = points[i];
+        const auto &[b, high] = points[i + 1];
+        const double y        = monotone_interpolation(points, a + (b - a) * k / 50.);
+        EXPECT_GE(y, std::min(low, high) - 1e-14);
+        EXPECT_LE(y, std::max(low, high) + 1e-14);
+      }
+    // A parabola that rises is met to third order.
+    const auto error = [](const int n) {
+      std::vector<std::array<double, 2>> parabola;
+      for (int i = 0; i <= n; ++i)
+        parabola.push_back({1. + double(i) / n, std::pow(1. + double(i) / n, 2)});
+      double largest = 0.;
+      for (int k = 0; k <= 1000; ++k)
+        largest =
+            std::max(largest, std::abs(monotone_interpolation(parabola, 1. + k / 1000.) - std::pow(1. + k / 1000., 2)));
+      return largest;
+    };
+    EXPECT_LT(error(20), error(10) / 6.);
+    EXPECT_LT(error(10), 2e-4);
+  }
+} // namespace swimtwin
