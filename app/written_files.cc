@@ -27,8 +27,9 @@ namespace swimtwin
     FilePatterns motion_files()
     {
       return joined({{"trajectory.csv", "summary.json", "snapshots.h5", "checkpoint.h5", "fields/fluid.pvd",
-                      "fields/tail.pvd", "fields/fluid-[0-9]*.vtu", "fields/tail-[0-9]*.vtu"},
-                     page_with({"trajectory", "angles", "stroke_loop", "power_balance", "shapes"})});
+                      "fields/tail.pvd", "fields/body.pvd", "fields/view.py", "fields/fluid-[0-9]*.vtu",
+                      "fields/tail-[0-9]*.vtu", "fields/body-[0-9]*.vtu"},
+                     page_with({"trajectory", "angles", "stroke_loop", "power_balance", "shapes", "spatial_view"})});
     }
 
     FilePatterns fit_files()

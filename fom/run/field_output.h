@@ -23,7 +23,8 @@ namespace swimtwin
   FieldInstant<dim> instant_of(const FullOrderModel<dim> &model);
 
   /// Writes fluid-NNNN.vtu (velocity_m_s, pressure_Pa) and tail-NNNN.vtu (displacement_m in the laboratory) with
-  /// quadratic cells into a folder, and fluid.pvd, tail.pvd that name them with their times.
+  /// quadratic cells into a folder, and fluid.pvd, tail.pvd that name them with their times. In space also
+  /// body-NNNN.vtu, body.pvd (the surface of head and tail) and view.py, which shows all of it in ParaView.
   class FieldOutput
   {
   public:
@@ -40,10 +41,11 @@ namespace swimtwin
   private:
     using Series = std::vector<std::pair<double, std::string>>; // times and files
 
+    void write_body(const FieldInstant<3> &instant, const std::string &number);
     /// `name`.pvd.
     void write_list(const std::string &name, const Series &series) const;
 
     std::filesystem::path folder_;
-    Series                fluid_series_, tail_series_;
+    Series                fluid_series_, tail_series_, body_series_;
   };
 } // namespace swimtwin

@@ -17,6 +17,8 @@ namespace swimtwin
   public:
     void begin_block(std::string_view columns);
     void add_row(const std::vector<double> &values);
+    /// The rows since the last one are the corners of a polygon.
+    void end_polygon() { text_ += '\n'; }
 
     const std::string &text() const { return text_; }
 

@@ -4,6 +4,7 @@
 #include <reports/page/draw_pictures.h>
 #include <reports/run/motion_pictures.h>
 #include <reports/run/shapes_picture.h>
+#include <reports/run/spatial_view.h>
 
 #include <fmt/format.h>
 
@@ -30,14 +31,18 @@ namespace swimtwin
       if (has_power(run.trajectory))
         pictures.push_back(power_balance_picture(run));
       if (run.has_tail() ? has_shapes : run.head_moves())
+      {
         pictures.push_back(shapes_picture(run));
+        if (run.scene.dimension == 3)
+          pictures.push_back(spatial_view_picture(run));
+      }
       return pictures;
     }
 
     void remove_earlier_pictures(const fs::path &folder)
     {
       std::error_code ignored; // what cannot be removed cannot be replaced either, and that is told
-      for (const std::string name : {"trajectory", "angles", "stroke_loop", "power_balance", "shapes"})
+      for (const std::string name : {"trajectory", "angles", "stroke_loop", "power_balance", "shapes", "spatial_view"})
         for (const std::string ending : {".png", ".gp", ".dat"})
           fs::remove(folder / (name + ending), ignored);
     }

@@ -104,7 +104,8 @@ namespace swimtwin
       double      factor = 1.;
     };
 
-    PowerUnit power_unit(const Rows rows)
+    /// In two dimensions powers are per depth.
+    PowerUnit power_unit(const Rows rows, const int dimension)
     {
       double largest = 0.;
       for (const TrajectoryRow &row : rows)
@@ -112,11 +113,14 @@ namespace swimtwin
                             std::abs(row.dissipation_W_m)});
       for (const IntervalPower &power : interval_powers(rows))
         largest = std::max(largest, std::abs(power.stored_rate_W_m));
+      const std::string per_depth = dimension == 2 ? "/m" : "";
       if (largest >= 1.)
-        return {"W/m", 1.};
+        return {"W" + per_depth, 1.};
       if (largest >= 1e-3)
-        return {"mW/m", 1e3};
-      return largest >= 1e-6 ? PowerUnit{"µW/m", 1e6} : PowerUnit{"nW/m", 1e9};
+        return {"mW" + per_depth, 1e3};
+      if (largest >= 1e-6)
+        return {"µW" + per_depth, 1e6};
+      return largest >= 1e-9 || dimension == 2 ? PowerUnit{"nW" + per_depth, 1e9} : PowerUnit{"pW", 1e12};
     }
 
     std::string balance_finding(const ShownRun &run)
@@ -207,7 +211,7 @@ namespace swimtwin
   {
     const Rows rows =
         last_periods(run.trajectory, run.axis, std::min(n_periods_of_power, n_full_periods(run.trajectory, run.axis)));
-    const PowerUnit unit  = power_unit(rows);
+    const PowerUnit unit  = power_unit(rows, run.scene.dimension);
     const double    scale = power_scale_W_m(run.last_period());
     GnuplotPicture  picture =
         make_picture(run, "power_balance", gnuplot_scripts::power_balance, "Power balance", balance_finding(run));
@@ -223,6 +227,7 @@ namespace swimtwin
     set_time_axis(picture, run, rows);
     set_shown_powers(picture, rows);
     picture.set_flag("has_residual", scale > 0.);
+    picture.set_text("power_name", run.scene.dimension == 3 ? "power" : "power per depth");
     picture.set_text("power_unit", unit.name);
     picture.set_text("residual_title", "power in − dissipation − rate of stored energy, in % of the mean power");
     return picture;

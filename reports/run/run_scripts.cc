@@ -92,7 +92,7 @@ set xzeroaxis lt 1 lw 0.8 lc rgb pale_color
 top = 0.835; bottom = has_residual ? 0.425 : 0.12
 eval(panel)
 set offsets 0,0,graph 0.05,graph 0.05
-set ylabel 'power per depth ('.power_unit.')'
+set ylabel power_name.' ('.power_unit.')'
 set xlabel (has_residual ? '' : time_label)
 if (has_residual) { set format x '' }
 # curves that are zero all along point at a number that is not one
@@ -131,5 +131,43 @@ plot for [k=1:words(instants)] data index 2*k-1 using 2:3 with filledcurves clos
      for [k=1:words(instants)] data index 2*k-1 using 2:3 with lines lw 1.8 lc palette cb color(k) notitle, \
      for [k=1:words(instants)] data index 2*k using 2:3 with lines lw 1.8 lc palette cb color(k) notitle, \
      data index 0 using 2:3 with lines lw 1.6 dt (3,3) lc rgb field_color title path_title
+)gp";
+
+  const std::string_view spatial_view = R"gp(
+set multiplot
+set view 48, 24
+set view equal xyz
+set xyplane at z_min
+set xrange [x_min:x_max]
+set yrange [y_min:y_max]
+set zrange [z_min:z_max]
+set border 15 lw 0.8 lc rgb pale_color
+set grid x y lt 1 lw 0.6 lc rgb pale_color
+set xtics font ',14' offset 0,-0.3
+set ytics font ',14' offset 0.3,0
+unset ztics
+unset key
+unset colorbox
+set pm3d depthorder lighting primary 0.55 specular 0.15
+# per instant: tail (where there is one), then head
+n_blocks = has_tail ? 2 : 1
+do for [k=1:words(instants)] {
+  column = (k - 1) % 2; row = (k - 1) / 2
+  set lmargin at screen 0.02 + 0.49*column
+  set rmargin at screen 0.49 + 0.49*column
+  set tmargin at screen 0.86 - 0.42*row
+  set bmargin at screen 0.46 - 0.42*row
+  set label 5 word(instants, k).' '.instant_unit at screen 0.04 + 0.49*column, screen 0.83 - 0.42*row font ',17' tc rgb text_color
+  set xlabel 'x (mm)' font ',15'
+  set ylabel 'y (mm)' font ',15'
+  if (has_tail) {
+    splot data index n_blocks*(k-1) using 1:2:3 with polygons fs solid 1 fc rgb tail_color, \
+          data index n_blocks*(k-1)+1 using 1:2:3 with polygons fs solid 1 fc rgb head_color
+  } else {
+    splot data index k-1 using 1:2:3 with polygons fs solid 1 fc rgb head_color
+  }
+  eval(without_heading)
+}
+unset multiplot
 )gp";
 } // namespace swimtwin::gnuplot_scripts

@@ -64,13 +64,14 @@ namespace swimtwin
     const auto       &known = run.record.summary.work_of_last_period;
     const WorkBalance balance =
         known ? *known : work_balance(last_periods(run.trajectory, time_axis(*run.scene, run.trajectory), 1));
-    const double scale = balance.scale_J_m();
-    const auto   row   = [&](const char *name, const double work_J_m) {
+    const bool   is_in_space = run.scene->dimension == 3; // works are whole there, and small
+    const double scale = balance.scale_J_m(), unit = is_in_space ? nJ : uJ;
+    const auto   row = [&](const char *name, const double work_J_m) {
       return Row{{name},
-                 {plain_number(uJ * work_J_m, n_digits)},
+                 {plain_number(unit * work_J_m, n_digits)},
                  {scale > 0. ? plain_number(percent * work_J_m / scale, n_digits_rounded) : ""}};
     };
-    return {{"in the last full period", "µJ/m", "%"},
+    return {{"in the last full period", is_in_space ? "nJ" : "µJ/m", "%"},
             {row("magnetic work", balance.magnetic_J_m),
              row("work of gravity, walls and inflows", balance.external_J_m),
              row("viscous dissipation", balance.dissipated_J_m),

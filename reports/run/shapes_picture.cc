@@ -3,12 +3,10 @@
 #include <reports/page/picture_extent.h>
 #include <reports/page/shown_units.h>
 #include <reports/run/run_scripts.h>
+#include <reports/run/shown_instants.h>
 #include <reports/run/swimmer_shapes.h>
 
 #include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
 
 namespace swimtwin
 {
@@ -24,47 +22,12 @@ namespace swimtwin
       Outline              head;
     };
 
-    /// Times (s) evenly over the last full period, its end left out (it is its beginning); without a period over the
-    /// whole run with both ends.
-    std::vector<double> instants_s(const ShownRun &run)
-    {
-      const Rows          rows    = run.last_period();
-      const double        start_s = rows.front().time_s, length_s = rows.back().time_s - start_s;
-      const int           n_intervals = run.has_full_period() ? n_instants : n_instants - 1;
-      std::vector<double> times_s;
-      for (int k = 0; k < n_instants; ++k)
-        times_s.push_back(start_s + length_s * k / n_intervals);
-      return times_s;
-    }
-
-    /// Indices of the entries closest to the times wanted, each once.
-    template <typename TimeOf>
-    std::vector<std::size_t> closest(const std::vector<double> &wanted_s, const std::size_t n, const TimeOf &time_of)
-    {
-      std::vector<std::size_t> found;
-      for (const double time_s : wanted_s)
-      {
-        std::size_t best = 0;
-        for (std::size_t i = 1; i < n; ++i)
-          if (std::abs(time_of(i) - time_s) < std::abs(time_of(best) - time_s))
-            best = i;
-        if (found.empty() || found.back() != best)
-          found.push_back(best);
-      }
-      return found;
-    }
-
-    double shown_time(const ShownRun &run, const double time_s)
-    {
-      return run.has_full_period() ? run.time(time_s) - run.time(run.last_period().front().time_s) : run.time(time_s);
-    }
-
     std::vector<Shape> shapes_with_tail(const ShownRun &run)
     {
       const SnapshotSet &set     = *run.snapshots;
       const auto         time_of = [&](const std::size_t i) { return set.time_s[i]; };
       std::vector<Shape> shapes;
-      for (const std::size_t i : closest(instants_s(run), set.time_s.size(), time_of))
+      for (const std::size_t i : closest_instants(run, n_instants, set.time_s.size(), time_of))
       {
         const auto row = static_cast<Eigen::Index>(i);
         shapes.push_back({shown_time(run, set.time_s[i]), tail_outlines(set, i),
@@ -77,7 +40,7 @@ namespace swimtwin
     {
       const auto         time_of = [&](const std::size_t i) { return run.trajectory[i].time_s; };
       std::vector<Shape> shapes;
-      for (const std::size_t i : closest(instants_s(run), run.trajectory.size(), time_of))
+      for (const std::size_t i : closest_instants(run, n_instants, run.trajectory.size(), time_of))
       {
         const TrajectoryRow &row = run.trajectory[i];
         shapes.push_back({shown_time(run, row.time_s),

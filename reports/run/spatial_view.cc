@@ -1,0 +1,197 @@
+#include <reports/run/spatial_view.h>
+
+#include <reports/page/shown_units.h>
+#include <reports/run/run_scripts.h>
+#include <reports/run/shown_instants.h>
+#include <reports/run/swimmer_shapes.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+
+namespace swimtwin
+{
+  namespace
+  {
+    constexpr int n_views = 4;
+
+    using PointInSpace = Eigen::Vector3d;
+    using Polygon      = std::vector<PointInSpace>; ///< m
+
+    struct SwimmerInSpace
+    {
+      double               time = 0.;
+      std::vector<Polygon> tail, head;
+    };
+
+    /// Each quadratic face on the boundary as four plane triangles.
+    std::vector<std::array<int, 3>> boundary_triangles(const Eigen::MatrixXi &cells)
+    {
+      constexpr int face[4][6] = {{0, 1, 2, 4, 5, 6}, {0, 1, 3, 4, 8, 7}, {0, 2, 3, 6, 9, 7}, {1, 2, 3, 5, 9, 8}};
+      constexpr int part[4][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}};
+      std::map<std::array<int, 3>, std::pair<int, std::array<int, 6>>> faces;
+      for (Eigen::Index cell = 0; cell < cells.rows(); ++cell)
+        for (const auto &corners : face)
+        {
+          std::array<int, 6> nodes;
+          for (int i = 0; i < 6; ++i)
+            nodes[i] = cells(cell, corners[i]);
+          std::array<int, 3> key{nodes[0], nodes[1], nodes[2]};
+          std::sort(key.begin(), key.end());
+          auto &[n_owners, kept] = faces[key];
+          ++n_owners;
+          kept = nodes;
+        }
+      std::vector<std::array<int, 3>> triangles;
+      for (const auto &[key, owned] : faces)
+        if (const auto &[n_owners, nodes] = owned; n_owners == 1)
+          for (const auto &corners : part)
+            triangles.push_back({nodes[corners[0]], nodes[corners[1]], nodes[corners[2]]});
+      return triangles;
+    }
+
+    PointInSpace placed(const PointInSpace &point, const Pose &pose)
+    {
+      const double c = std::cos(pose.angle_rad), s = std::sin(pose.angle_rad);
+      return {pose.x_m + c * point[0] - s * point[1], pose.y_m + s * point[0] + c * point[1], point[2]};
+    }
+
+    std::vector<Polygon> tail_surface(const SnapshotSet &set, const Eigen::Index row, const Pose &pose)
+    {
+      std::vector<Polygon> surface;
+      for (const auto &triangle : boundary_triangles(set.tail_cells))
+      {
+        Polygon &polygon = surface.emplace_back();
+        for (const int node : triangle)
+        {
+          const PointInSpace at_rest = set.tail_nodes_m.row(node).transpose();
+          const PointInSpace moved   = set.tail_displacement_m.row(row).segment<3>(3 * node).transpose();
+          polygon.push_back(placed(at_rest + moved, pose));
+        }
+      }
+      return surface;
+    }
+
+    /// x and radius from the nose to the back.
+    std::vector<std::array<double, 2>> meridian(const Head &head)
+    {
+      constexpr int n_arcs = 16;
+      const double  a = .5 * head.size_m[0], b = .5 * head.size_m[1];
+      if (head.shape == HeadShape::rectangle)
+        return {{-a, 0.}, {-a, b}, {a, b}, {a, 0.}};
+      std::vector<std::array<double, 2>> points;
+      for (int i = 0; i <= n_arcs; ++i)
+        points.push_back({-a * std::cos(std::numbers::pi * i / n_arcs), b * std::sin(std::numbers::pi * i / n_arcs)});
+      return points;
+    }
+
+    std::vector<Polygon> head_surface(const Head &head, const Pose &pose)
+    {
+      constexpr int        n_angles = 36;
+      const auto           points   = meridian(head);
+      std::vector<Polygon> surface;
+      for (std::size_t i = 0; i + 1 < points.size(); ++i)
+        for (int k = 0; k < n_angles; ++k)
+        {
+          const auto at = [&](const std::size_t point, const int angle) {
+            const auto &[x, r] = points[point];
+            const double phi   = 2. * std::numbers::pi * angle / n_angles;
+            return placed({x, r * std::cos(phi), r * std::sin(phi)}, pose);
+          };
+          surface.push_back({at(i, k), at(i + 1, k), at(i + 1, k + 1), at(i, k + 1)});
+        }
+      return surface;
+    }
+
+    std::vector<SwimmerInSpace> views(const ShownRun &run)
+    {
+      std::vector<SwimmerInSpace> views;
+      if (run.has_tail())
+      {
+        const SnapshotSet &set = *run.snapshots;
+        for (const std::size_t i :
+             closest_instants(run, n_views, set.time_s.size(), [&](const std::size_t k) { return set.time_s[k]; }))
+        {
+          const auto row = static_cast<Eigen::Index>(i);
+          const Pose pose{set.pose(row, 0), set.pose(row, 1), set.pose(row, 2)};
+          views.push_back(
+              {shown_time(run, set.time_s[i]), tail_surface(set, row, pose), head_surface(run.scene.head, pose)});
+        }
+        return views;
+      }
+      for (const std::size_t i : closest_instants(run, n_views, run.trajectory.size(),
+                                                  [&](const std::size_t k) { return run.trajectory[k].time_s; }))
+      {
+        const TrajectoryRow &row = run.trajectory[i];
+        views.push_back({shown_time(run, row.time_s),
+                         {},
+                         head_surface(run.scene.head, {row.head_x_m, row.head_y_m, row.head_angle_rad})});
+      }
+      return views;
+    }
+
+    /// Smallest box around everything.
+    class Box
+    {
+    public:
+      void add(const PointInSpace &point)
+      {
+        low_  = low_.cwiseMin(point);
+        high_ = high_.cwiseMax(point);
+      }
+      void set_in(GnuplotPicture &picture) const
+      {
+        const double margin = .03 * (high_ - low_).maxCoeff();
+        for (int c = 0; c < 3; ++c)
+        {
+          picture.set(fmt::format("{}_min", "xyz"[c]), low_[c] - margin);
+          picture.set(fmt::format("{}_max", "xyz"[c]), high_[c] + margin);
+        }
+      }
+
+    private:
+      PointInSpace low_ = PointInSpace::Constant(std::numeric_limits<double>::infinity()), high_ = -low_;
+    };
+
+    void add_surface(const std::vector<Polygon> &surface, const std::string &name, GnuplotTable &table, Box &box)
+    {
+      table.begin_block(name + ": polygons, x, y, z (mm)");
+      for (const Polygon &polygon : surface)
+      {
+        for (const PointInSpace &point : polygon)
+        {
+          const PointInSpace shown = mm * point;
+          table.add_row({shown[0], shown[1], shown[2]});
+          box.add(shown);
+        }
+        table.end_polygon();
+      }
+    }
+  } // namespace
+
+  GnuplotPicture spatial_view_picture(const ShownRun &run)
+  {
+    const bool     periodic = run.has_full_period();
+    GnuplotPicture picture =
+        make_picture(run, "spatial_view", gnuplot_scripts::spatial_view, "The swimmer in space",
+                     periodic ? "four instants of the last full period" : "four instants of the run");
+    Box         box;
+    std::string instants;
+    for (const SwimmerInSpace &view : views(run))
+    {
+      if (run.has_tail())
+        add_surface(view.tail, "tail", picture.table, box);
+      add_surface(view.head, "head", picture.table, box);
+      instants += fmt::format("{}{:.4g}", instants.empty() ? "" : " ", view.time);
+    }
+    box.set_in(picture);
+    picture.set_text("instants", instants);
+    picture.set_text("instant_unit", periodic ? "periods" : "s");
+    picture.set_flag("has_tail", run.has_tail());
+    return picture;
+  }
+} // namespace swimtwin
