@@ -68,6 +68,22 @@ namespace swimtwin
       return {tip.angle, tip.x, tip.y};
     }
 
+    template <int dim>
+    Tip tip_at_full_field(const Scene &scene)
+    {
+      FullOrderModel<dim> model(scene, MPI_COMM_WORLD);
+      for (int step = 0; step < scene.time.n_steps(); ++step)
+        model.advance();
+      const auto  &configuration = model.now().configuration;
+      const auto   tip           = model.swimmer().tail_positions(configuration)[model.swimmer().tail().axis_at_tip[2]];
+      const double root = scene.head.size_m[0] / 2, length = scene.tail->length_m;
+      const Tip    result = {model.swimmer().tail_angle(configuration), (tip[0] - root) / length, tip[1] / length};
+      std::cout << "cantilever in " << dim << "D, h/L = " << scene.tail->root_height_m / length << ": tip angle "
+                << result.angle_rad * 180. / pi << " degrees at (" << result.x << ", " << result.y << ") L, "
+                << model.n_unknowns() << " unknowns" << std::endl;
+      return result;
+    }
+
     /// The shipped beam with another thickness, its stiffness scaled to keep the group.
     Tip finite_element_beam(const double slenderness)
     {
@@ -84,18 +100,7 @@ namespace swimtwin
             override_entry("numerics.mesh_size_m", shipped.numerics.mesh_size_m * std::min(ratio, 3.)),
             override_entry("numerics.mesh_size_corner_m", shipped.numerics.mesh_size_corner_m * std::min(ratio, 3.)),
             override_entry("numerics.mesh_size_far_m", shipped.numerics.mesh_size_far_m * std::min(ratio, 3.))};
-      const Scene       scene = shipped_scene("magnetised-cantilever", overrides);
-      FullOrderModel<2> model(scene, MPI_COMM_WORLD);
-      for (int step = 0; step < scene.time.n_steps(); ++step)
-        model.advance();
-      const auto  &configuration = model.now().configuration;
-      const auto   tip           = model.swimmer().tail_positions(configuration)[model.swimmer().tail().axis_at_tip[2]];
-      const double root          = scene.head.size_m[0] / 2;
-      const Tip    result = {model.swimmer().tail_angle(configuration), (tip[0] - root) / length, tip[1] / length};
-      std::cout << "cantilever h/L = " << slenderness << ": tip angle " << result.angle_rad * 180. / pi
-                << " degrees at (" << result.x << ", " << result.y << ") L, " << model.n_unknowns() << " unknowns"
-                << std::endl;
-      return result;
+      return tip_at_full_field<2>(shipped_scene("magnetised-cantilever", overrides));
     }
 
     double distance(const Tip &a, const Tip &b)
@@ -135,5 +140,29 @@ namespace swimtwin
               << ", " << thin.angle_rad - exact.angle_rad << " rad" << std::endl;
     EXPECT_LE(errors[1], errors[0] * 0.5);
     EXPECT_LE(errors[2], errors[1] * 0.4);
+  }
+
+  // A film, twice as wide as thick, h/L = 0.05 and without lateral contraction: 12 M B L^2 / (E h^2) = 6.4.
+  TEST(Cantilever, FilmInSpaceFollowsTheElastica)
+  {
+    const double h     = 0.3e-3;
+    const Tip    exact = elastica(),
+              film     = tip_at_full_field<3>(
+                  shipped_scene("magnetised-cantilever-3d",
+                                    {"variant=quick", "head.size_m=[0.3e-3, 0.8e-3]", "tail.section=rectangular",
+                                     override_entry("tail.width_m", 2. * h), override_entry("tail.root_height_m", h),
+                                     override_entry("tail.tip_height_m", h), "tail.poisson_ratio=0.0",
+                                     override_entry("tail.young_modulus_Pa", 12. * 1e3 * std::pow(6e-3 / h, 2) / group)}));
+    EXPECT_NEAR(film.angle_rad, exact.angle_rad, 0.01 * exact.angle_rad);
+    EXPECT_LE(distance(film, exact), 0.01);
+  }
+
+  // A rod of circular section, h/L = 0.05: as far off the elastica as a beam in the plane of that thickness.
+  TEST(Cantilever, RodInSpaceFollowsTheElastica)
+  {
+    const Tip exact = elastica(),
+              rod   = tip_at_full_field<3>(shipped_scene("magnetised-cantilever-3d", {"variant=quick"}));
+    EXPECT_NEAR(rod.angle_rad, exact.angle_rad, 0.01 * exact.angle_rad);
+    EXPECT_LE(distance(rod, exact), 0.01);
   }
 } // namespace swimtwin
