@@ -9,7 +9,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
+#include <string>
+#include <utility>
 
 namespace swimtwin
 {
@@ -51,6 +54,13 @@ namespace swimtwin
                         scene.name));
     }
 
+    void require_followers_of_basis(const BasisChoice basis, const bool are_given)
+    {
+      if (are_given && basis == BasisChoice::bending)
+        throw InputError("--followers has no meaning with --basis bending, where all but the bending angles relaxes; "
+                         "leave it out, or choose --basis pod or elastic");
+    }
+
     void require_small_inertia(const TrainCommand &command, const Scene &scene, const TrainedRange &range)
     {
       const double group = unsteady_group(scene, range.frequency_Hz.high, range.viscosity_Pa_s.low);
@@ -71,6 +81,18 @@ namespace swimtwin
       return in_percent ? value / 100. : value;
     }
 
+    /// "90s", "30min" or "2h", in seconds.
+    double parse_duration(const std::string &option, const std::string &text)
+    {
+      constexpr std::array units{std::pair{"min", 60.}, std::pair{"s", 1.}, std::pair{"h", 3600.}};
+      for (const auto &[unit, seconds] : units)
+        if (text.ends_with(unit))
+          return seconds *
+                 parse_values(option, text.substr(0, text.size() - std::string(unit).size()), ValueRule::positive)
+                     .front();
+      throw InputError(fmt::format("{} = {} has no unit of time; say s, min or h, as in 30min", option, text));
+    }
+
     /// Throws InputError.
     void complete_options(TrainCommand &command, const Scene &scene)
     {
@@ -82,8 +104,10 @@ namespace swimtwin
       own.folder       = command.common.output;
       own.command_line = command.common.command_line;
       own.target       = parse_share("--target", command.target);
+      own.budget_s     = parse_duration("--budget", command.budget);
       own.snapshots    = {command.snapshots.begin(), command.snapshots.end()};
       require_law_of_basis(scene, own.basis);
+      require_followers_of_basis(own.basis, command.has_followers);
       require_small_inertia(command, scene, own.range);
       for (const auto &file : own.snapshots)
         read_snapshots(file); // refused now rather than after the runs
@@ -105,9 +129,10 @@ namespace swimtwin
     verb->add_option("--modes", own->training.n_coordinates, "Bending modes, the model's coordinates")
         ->check(CLI::Range(1, 10))
         ->capture_default_str();
-    verb->add_option("--followers", own->training.n_followers, "Modes that follow them: shortening by bending")
-        ->check(CLI::Range(1, 12))
-        ->capture_default_str();
+    const auto *followers = verb->add_option("--followers", own->training.n_followers,
+                                             "Modes that follow them (--basis pod, elastic): shortening by bending")
+                                ->check(CLI::Range(1, 12))
+                                ->capture_default_str();
     verb->add_option("--samples", own->training.n_samples, "Shapes at which the resistance is computed")
         ->check(CLI::Range(60, 100000))
         ->capture_default_str();
@@ -121,6 +146,9 @@ namespace swimtwin
     verb->add_option("--target", own->target,
                      "Error of held-out displacements to be met, rms (twice as much at worst), such as 1% or 0.01")
         ->capture_default_str();
+    verb->add_option("--budget", own->budget,
+                     "CPU time of all processes, such as 30min, for modes and samples until the target is met")
+        ->capture_default_str();
     verb->add_option("--basis", own->basis,
                      "bending: angles, all else relaxed; pod: displacements of the runs; elastic: of the tail alone, "
                      "without data")
@@ -130,8 +158,9 @@ namespace swimtwin
     verb->add_flag("--allow-inertia", own->allow_inertia, "Train although inertia is not small");
     verb->add_flag("--resume", own->resume, "Go on with an interrupted training");
     own->common.command_line = command_line;
-    return [own] {
-      const Scene scene = load_scene(own->common);
+    return [own, followers] {
+      const Scene scene  = load_scene(own->common);
+      own->has_followers = followers->count() > 0;
       complete_options(*own, scene);
       train_and_report(scene, *own);
     };

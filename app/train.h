@@ -14,9 +14,9 @@ namespace swimtwin
     CommonOptions            common;
     TrainingOptions          training;
     std::string              frequency, young_modulus, viscosity, magnetization, bx, by; ///< ranges as typed
-    std::string              basis = "bending", target = "1%";
+    std::string              basis = "bending", target = "1%", budget = "60min";
     std::vector<std::string> snapshots;
-    bool                     resume = false, allow_inertia = false;
+    bool                     resume = false, allow_inertia = false, has_followers = false;
   };
 
   /// The options of the training are complete. Collective. Throws InputError and ComputationError.

@@ -22,10 +22,16 @@ namespace swimtwin
 {
   namespace
   {
-    /// Whether a training that is resumed has nothing left to do: rank 0 looks, the others learn it.
-    bool nothing_to_resume(const std::filesystem::path &folder)
+    /// Whether a training that is resumed has nothing left to do: rank 0 looks, the others learn it. A model that
+    /// misses the target is gone on with.
+    bool nothing_to_resume(const std::filesystem::path &folder, const double target)
     {
       bool complete = is_speaker() && std::filesystem::exists(folder / "model.h5");
+      if (complete)
+      {
+        const TrainingRecord record = read_reduced_model(folder / "model.h5").record;
+        complete                    = record.target == target && missed_target(record).empty();
+      }
       MPI_Bcast(&complete, sizeof complete, MPI_BYTE, 0, MPI_COMM_WORLD);
       return complete;
     }
@@ -65,8 +71,8 @@ namespace swimtwin
     {
       if (const std::string missed = missed_target(record); !missed.empty())
         throw ComputationError(
-            fmt::format("{}: {}; use it for less, or train it on a narrower range, with more --modes "
-                        "and --samples, or with a wider --target",
+            fmt::format("{}: {}; use it for less, or train it on a narrower range, with a larger --budget (--resume "
+                        "goes on), or with a wider --target",
                         file.string(), missed));
     }
 
@@ -74,7 +80,7 @@ namespace swimtwin
     {
       TrainingOptions &own   = command.training;
       const bool       quiet = command.common.quiet || !is_speaker();
-      if (command.resume && nothing_to_resume(own.folder))
+      if (command.resume && nothing_to_resume(own.folder, own.target))
       {
         if (!quiet)
           say("{} is complete: nothing to resume\n", own.folder.string());

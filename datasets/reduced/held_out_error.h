@@ -26,10 +26,29 @@ namespace swimtwin
   /// What a fit, a plan and a path may rest on without being told to.
   constexpr double largest_borne_error = 0.05;
 
-  /// Relative to the full-order displacement, or to a twentieth of the largest one in the record where that is more.
+  /// What errors are relative to: the displacement, or a twentieth of the largest one in the record where that is more.
+  double error_scale_m(const TrainingRecord &record, double displacement_m);
+
+  /// Of a run's displacement, relative to the full-order one (error_scale_m).
   double       relative_error(const HeldOutRun &run, const TrainingRecord &record);
   HeldOutError displacement_error(const TrainingRecord &record);
   double       target_of(const TrainingRecord &record);
+
+  /// What is known of a displacement's error beside the held-out runs: how far other models of the same swimmer are off
+  /// it (m).
+  struct ErrorSigns
+  {
+    double displacement_m = 0.;
+    double fit_change_m   = 0.; ///< with the resistance fitted to half of the samples
+  };
+  ErrorSigns error_signs(const HeldOutRun &run);
+
+  /// The full-order displacement lies within this (m) of the model's with 95 %: errors of held-out runs, each over the
+  /// size that its signs let expect, are taken for a sample of one normal distribution (Student's quantile). Not known
+  /// (NaN) without held-out runs.
+  double error_bound_m(const TrainingRecord &record, const ErrorSigns &signs);
+  /// Of a held-out run's displacement, by all the other ones: what would have been stated had it not been known.
+  double left_out_bound_m(const TrainingRecord &record, std::size_t run);
 
   /// One sentence if held-out runs missed the model's target, else empty; also empty if there are none.
   std::string missed_target(const TrainingRecord &record);

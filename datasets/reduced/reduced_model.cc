@@ -99,6 +99,8 @@ namespace swimtwin
       some.coordinate_scale_m = all.coordinate_scale_m.head(k);
       some.exponents          = all.exponents(kept, coordinates);
       some.coefficients       = all.coefficients(kept, Eigen::seqN(0, n * (n + 1) / 2));
+      for (Eigen::MatrixXd &half : some.half_fits)
+        half = half(kept, Eigen::seqN(0, n * (n + 1) / 2)).eval();
       return some;
     }
   } // namespace

@@ -106,6 +106,9 @@ namespace swimtwin
     double          angle_scale_rad  = 1.;
     Eigen::MatrixXi exponents;    ///< n_features x (r, then the angle, then the height, if it depends on them)
     Eigen::MatrixXd coefficients; ///< n_features x n (n + 1) / 2; entry (i, j), j <= i, is column i (i + 1) / 2 + j
+    /// The same, fitted to either half of the samples alone: how they differ tells how well the fit is known. Two, or
+    /// none in files of before.
+    std::vector<Eigen::MatrixXd> half_fits = {};
 
     bool            depends_on_height   = false;
     double          height_scale_m      = 1.;
@@ -138,6 +141,7 @@ namespace swimtwin
     double displacement_m         = 0.; ///< of the third period, full-order
     double displacement_error_m   = 0.; ///< estimated, of the full-order run
     double reduced_displacement_m = 0., indicator_m = 0.;
+    double fit_change_m = 0.; ///< what fits to half of the samples change in it
   };
 
   /// What was measured when the model was trained.
@@ -152,6 +156,7 @@ namespace swimtwin
     double                   target            = 0.; ///< relative error that was aimed at; 0: it was not written down
     std::vector<HeldOutRun>  held_out_runs;
     std::vector<std::string> neglects; ///< physics that the model leaves out, one sentence each, with its size
+    std::vector<std::string> history;  ///< how training came to its model and what it spent, one sentence each
   };
 
   struct ReducedModel

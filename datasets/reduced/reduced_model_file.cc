@@ -15,6 +15,8 @@ namespace swimtwin
   {
     constexpr const char *format_name = "swimtwin reduced model";
 
+    constexpr std::array half_fit_paths{"/resistance/half_fit_1", "/resistance/half_fit_2"};
+
     /// One visitor for both directions.
     template <typename Range, typename Visitor>
     void for_each_interval(Range &range, const Visitor &visit)
@@ -101,6 +103,9 @@ namespace swimtwin
       writer.write_matrix(
           "/resistance/coefficients", resistance.coefficients,
           {"1", "one monomial per row; column i (i + 1) / 2 + j is entry (i, j) of C, log on the diagonal"});
+      for (std::size_t k = 0; k < resistance.half_fits.size(); ++k)
+        writer.write_matrix(half_fit_paths.at(k), resistance.half_fits[k],
+                            {"1", "the same, fitted to one half of the samples"});
       writer.write_attribute("/resistance", "depends_on_angle", resistance.depends_on_angle ? 1. : 0.);
       writer.write_attribute("/resistance", "angle_scale_rad", resistance.angle_scale_rad);
       if (!resistance.depends_on_height)
@@ -202,6 +207,9 @@ namespace swimtwin
                                    reader.read_number_attribute("/resistance", "angle_scale_rad"),
                                    reader.read_int_matrix("/resistance/exponents"),
                                    reader.read_matrix("/resistance/coefficients")};
+      for (const char *path : half_fit_paths)
+        if (reader.contains(path))
+          resistance.half_fits.push_back(reader.read_matrix(path));
       resistance.depends_on_height = reader.contains("/resistance/usual_by_coordinate");
       if (!resistance.depends_on_height)
         return resistance;

@@ -138,6 +138,11 @@ namespace swimtwin
       rules.require("/resistance/exponents", (resistance.exponents.array() >= 0).all(), "holds a negative exponent.");
       rules.require_size("/resistance/coefficients", resistance.coefficients, resistance.exponents.rows(),
                          n * (n + 1) / 2);
+      const auto &halves = resistance.half_fits;
+      rules.require("/resistance", halves.empty() || halves.size() == 2,
+                    "holds one fit to half of the samples; two are needed, or none.");
+      for (const Eigen::MatrixXd &half : halves)
+        rules.require_size("/resistance/half_fit", half, resistance.exponents.rows(), n * (n + 1) / 2);
     }
 
     void check(Rules &rules, const TrainedRange &range)

@@ -41,8 +41,29 @@ namespace swimtwin
     {
       std::vector<HeldOutRun> runs;
       for (const auto row : rows.rowwise())
-        runs.push_back({row[0], row[1], row[2], row[3], row[4], row[5], row[6], row[7], row[8], row[9]});
+        runs.push_back({row[0], row[1], row[2], row[3], row[4], row[5], row[6], row[7], row[8], row[9], 0.});
       return runs;
+    }
+
+    Eigen::VectorXd fit_changes_of(const std::vector<HeldOutRun> &runs)
+    {
+      Eigen::VectorXd changes(static_cast<Eigen::Index>(runs.size()));
+      for (Eigen::Index i = 0; i < changes.size(); ++i)
+        changes[i] = runs[static_cast<std::size_t>(i)].fit_change_m;
+      return changes;
+    }
+
+    /// Files of before have none.
+    void read_fit_changes(const Hdf5Reader &reader, std::vector<HeldOutRun> &runs)
+    {
+      constexpr const char *path = "/training/held_out_fit_changes_m";
+      if (!reader.contains(path))
+        return;
+      const std::vector<double> changes = reader.read_vector(path);
+      if (changes.size() != runs.size())
+        reader.refuse(path, fmt::format("has {} values; there are {} held-out runs.", changes.size(), runs.size()));
+      for (std::size_t i = 0; i < runs.size(); ++i)
+        runs[i].fit_change_m = changes[i];
     }
 
     std::vector<std::string> lines_of(const std::string &text)
@@ -62,6 +83,12 @@ namespace swimtwin
                         {"Pa, Pa s, A/m, Hz, T, T, m, m, m, m",
                          "young_modulus, viscosity, magnetization, frequency, bx, by, full-order displacement of the "
                          "third period and its error, the reduced model's displacement and its error indicator"});
+    if (!record.held_out_runs.empty())
+      writer.write_vector("/training/held_out_fit_changes_m", fit_changes_of(record.held_out_runs),
+                          {"m", "what fits of the resistance to half of the samples change in the displacements"});
+    if (!record.history.empty())
+      writer.write_text("/training/history", fmt::format("{}", fmt::join(record.history, "\n")),
+                        {"1", "how training came to its model and what it spent, one sentence per line"});
     writer.write_text("/training/neglects", fmt::format("{}", fmt::join(record.neglects, "\n")),
                       {"1", "physics that the model leaves out, one sentence per line"});
     for_each_figure(record, [&](const char *name, const auto value) {
@@ -83,6 +110,9 @@ namespace swimtwin
     if (!runs.allFinite() || !record.singular_values_m.allFinite())
       reader.refuse("/training", "holds a value that is not finite; train the model again.");
     record.held_out_runs = runs_of(runs);
+    read_fit_changes(reader, record.held_out_runs);
+    if (reader.contains("/training/history"))
+      record.history = lines_of(reader.read_text("/training/history"));
     for_each_figure(record, [&](const char *name, auto &value) {
       value = static_cast<std::decay_t<decltype(value)>>(reader.read_number_attribute("/training", name));
     });

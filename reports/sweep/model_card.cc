@@ -33,6 +33,23 @@ namespace swimtwin
                               : "no held-out runs: the displacement's error is not known";
     }
 
+    /// Whether the bounds hold: for each run that which the others tell.
+    std::string bound_line(const TrainingRecord &record)
+    {
+      const std::size_t n       = record.held_out_runs.size();
+      double            largest = 0.;
+      int               held    = 0;
+      for (std::size_t i = 0; i < n; ++i)
+      {
+        const HeldOutRun &run = record.held_out_runs[i];
+        largest =
+            std::max(largest, error_bound_m(record, error_signs(run)) / error_scale_m(record, run.displacement_m));
+        held += std::abs(run.reduced_displacement_m - run.displacement_m) <= left_out_bound_m(record, i);
+      }
+      return fmt::format("displacement within {:.2g} % with 95 % where these runs are least certain{}", 100. * largest,
+                         n > 1 ? fmt::format("; {} of {} were within what the others told", held, n) : "");
+    }
+
     /// How the error indicator compares with the true error, at best and at worst.
     std::string indicator_line(const std::vector<HeldOutRun> &runs)
     {
@@ -61,7 +78,10 @@ namespace swimtwin
         "               surface velocity off by {:.2g} % (rms), {:.2g} % (worst) at {} shapes not trained on\n",
         100. * record.velocity_error_rms, 100. * record.velocity_error_max, record.n_held_out_samples);
     if (!record.held_out_runs.empty())
-      text += fmt::format("               {}\n", indicator_line(record.held_out_runs));
+      text += fmt::format("               {}\n               {}\n", bound_line(record),
+                          indicator_line(record.held_out_runs));
+    for (const std::string &step : record.history)
+      text += fmt::format("  training     {}\n", step);
     for (const std::string &neglected : record.neglects)
       text += fmt::format("  neglects     {}\n", neglected);
     return text;

@@ -42,7 +42,9 @@ namespace swimtwin
           {"inside_trained_range", "1", "1: parameters, shapes and angles are those the model was trained for; 0: not",
            [](Result r) { return r.trust.inside() ? 1. : 0.; }},
           {"held_out_error", "1", "relative error of the displacement in held-out full-order runs nearby",
-           [](Result r) { return r.held_out_error; }}};
+           [](Result r) { return r.held_out_error; }},
+          {"error_95_m", "m", "the full-order displacement is within this with 95 %",
+           [](Result r) { return r.error_95_m; }}};
       return all;
     }
 
@@ -88,13 +90,20 @@ namespace swimtwin
     {
       const HeldOutError error = displacement_error(model.record);
       auto               runs  = Json::array();
-      for (const HeldOutRun &run : model.record.held_out_runs)
+      for (std::size_t i = 0; i < model.record.held_out_runs.size(); ++i)
+      {
+        const HeldOutRun &run     = model.record.held_out_runs[i];
+        const double      bound_m = left_out_bound_m(model.record, i);
         runs.push_back({{"young_modulus_Pa", run.young_modulus_Pa},
                         {"magnetization_A_m", run.magnetization_A_m},
                         {"frequency_Hz", run.frequency_Hz},
                         {"displacement_m", run.displacement_m},
+                        {"displacement_error_m", run.displacement_error_m},
                         {"reduced_displacement_m", run.reduced_displacement_m},
-                        {"error_indicator_m", run.indicator_m}});
+                        {"error_indicator_m", run.indicator_m},
+                        {"fit_change_m", run.fit_change_m},
+                        {"error_95_by_the_others_m", std::isnan(bound_m) ? Json() : Json(bound_m)}});
+      }
       return {{"file", record.model_file},
               {"n_modes", record.n_modes},
               {"trained_range", range_json(model.range)},
@@ -102,6 +111,8 @@ namespace swimtwin
               {"held_out_error_rms", error.is_known() ? Json(error.rms) : Json()},
               {"held_out_error_worst", error.is_known() ? Json(error.worst) : Json()},
               {"target", target_of(model.record)},
+              {"training", model.record.history},
+              {"training_cpu_time_s", model.record.cpu_time_s},
               {"neglects", model.record.neglects}};
     }
   } // namespace

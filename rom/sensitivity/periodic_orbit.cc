@@ -73,6 +73,7 @@ namespace swimtwin
   SwimmerState PeriodicOrbitFinder::state_of(const Eigen::VectorXd &u) const
   {
     SwimmerState state             = state_at_rest(swimmer_, u[0]);
+    state[1]                       = height_m_;
     state.tail(swimmer_.n_modes()) = swimmer_.length_m() * u.tail(swimmer_.n_modes());
     return state;
   }
@@ -85,7 +86,7 @@ namespace swimtwin
     if (!run.completed())
       return period;
     period.end     = scaled(run.at_period_end.back());
-    period.drift_m = run.at_period_end.back().head<2>();
+    period.drift_m = run.at_period_end.back().head<2>() - request_.initial_state.head<2>();
     if (!run.sensitivity_at_period_end.empty())
     {
       const int r      = swimmer_.n_modes();
@@ -244,6 +245,7 @@ namespace swimtwin
     request_                     = request;
     request_.n_periods           = 1;
     request_.samples_per_period  = 0;
+    height_m_                    = swimmer_.resistance().depends_on_height() ? request.initial_state[1] : 0.;
     const Eigen::VectorXd start  = scaled(request.initial_state);
     bool                  closed = try_newton(start, orbit);
     if (!closed)

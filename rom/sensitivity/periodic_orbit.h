@@ -34,9 +34,10 @@ namespace swimtwin
 
   struct PeriodicOrbit
   {
-    OrbitStatus     status = OrbitStatus::not_run;
-    std::string     failure;                           ///< one sentence
-    SwimmerState    start;                             ///< at phase 0, with the head's centre at the origin
+    OrbitStatus status = OrbitStatus::not_run;
+    std::string failure; ///< one sentence
+    /// At phase 0, with the head's centre at the origin, or at the request's height above it where that is felt.
+    SwimmerState    start;
     Eigen::Vector2d drift_m = Eigen::Vector2d::Zero(); ///< of the head's centre per period
     /// Of angle and shape (without the direction across which a closed domain keeps the area): how a disturbance grows
     /// per period. The heading's is the largest.
@@ -55,7 +56,8 @@ namespace swimtwin
   };
 
   /// Newton's method on the map of one period in (theta, q), with the integrator's sensitivities to the initial state.
-  /// Position is frozen: nothing depends on it. One thread each, set up once.
+  /// Position is frozen: nothing depends on the place along the domain, and the height, where walls are felt, is that
+  /// of the request. One thread each, set up once.
   class PeriodicOrbitFinder
   {
   public:
@@ -93,5 +95,6 @@ namespace swimtwin
     SwimmerIntegrator                differentiated_, plain_;
     std::optional<SwimmerIntegrator> parametric_;
     RunRequest                       request_;
+    double                           height_m_ = 0.; ///< of the head's centre at phase 0
   };
 } // namespace swimtwin

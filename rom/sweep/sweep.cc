@@ -64,10 +64,17 @@ namespace swimtwin
           : range(model.range), record(model.record), all(model),
             fewer(truncated(model, n_modes_of_comparison(model.n_modes())))
       {
+        ReducedModel half = model;
+        for (const Eigen::MatrixXd &coefficients : model.resistance.half_fits)
+        {
+          half.resistance.coefficients = coefficients;
+          halves.emplace_back(half);
+        }
       }
-      TrainedRange   range;
-      TrainingRecord record;
-      ReducedSwimmer all, fewer;
+      TrainedRange                range;
+      TrainingRecord              record;
+      ReducedSwimmer              all, fewer;
+      std::vector<ReducedSwimmer> halves; ///< with the resistance of half of the samples
     };
 
     /// What each thread has for itself.
@@ -81,16 +88,22 @@ namespace swimtwin
             orbits_(swimmers.all,
                     {.relative_tolerance = options.relative_tolerance, .closure = 10. * options.relative_tolerance})
       {
+        halves_.reserve(swimmers.halves.size());
+        for (const ReducedSwimmer &half : swimmers.halves)
+          halves_.emplace_back(half, IntegratorOptions{.relative_tolerance = options.relative_tolerance});
       }
 
       SweepResult result_of(const SweepMember &member)
       {
-        const double     start = thread_cpu_time_s();
-        SweepResult      result{member, not_known, not_known, not_known, not_known, not_known, {}, {}, 0., {}};
-        RunRequest       request = request_of(member, options_);
-        const SwimmerRun run     = all_.run(request);
-        result.trust             = trust_notes(swimmers_.range, request, run);
-        result.held_out_error    = error_near(member);
+        const double start = thread_cpu_time_s();
+        SweepResult  result;
+        result.member         = member;
+        result.displacement_m = result.periodic_displacement_m = result.error_indicator_m = not_known;
+        result.largest_multiplier = result.error_95_m = not_known;
+        RunRequest       request                      = request_of(member, options_);
+        const SwimmerRun run                          = all_.run(request);
+        result.trust                                  = trust_notes(swimmers_.range, request, run);
+        result.held_out_error                         = error_near(member);
         note_held_out_error(swimmers_.record, result.held_out_error, result.trust);
         result.note = run.failure;
         if (run.completed())
@@ -98,7 +111,10 @@ namespace swimtwin
           result.end            = run.at_period_end.back();
           result.displacement_m = displacement_per_period(run, options_.heading_rad).back();
           if (options_.indicator)
+          {
             add_indicator(request, result);
+            add_bound(request, result);
+          }
           if (options_.periodic)
             add_orbit(request, result);
         }
@@ -130,6 +146,21 @@ namespace swimtwin
               result.displacement_m, displacement_per_period(run, options_.heading_rad).back());
       }
 
+      /// Half of what two independent halves differ by is the standard error of their mean.
+      void add_bound(const RunRequest &request, SweepResult &result)
+      {
+        std::vector<double> displacements;
+        for (SwimmerIntegrator &half : halves_)
+          if (const SwimmerRun run = half.run(request); run.completed())
+            displacements.push_back(displacement_per_period(run, options_.heading_rad).back());
+        if (displacements.size() == 2)
+          result.fit_change_m = .5 * std::abs(displacements[0] - displacements[1]);
+        else if (!halves_.empty())
+          return; // one of them fails: nothing is known
+        result.error_95_m = error_bound_m(swimmers_.record, {result.displacement_m, result.fit_change_m});
+        note_error_bound(swimmers_.record, result.error_95_m, result.displacement_m, result.trust);
+      }
+
       void add_orbit(RunRequest request, SweepResult &result)
       {
         request.initial_state     = result.end;
@@ -142,10 +173,11 @@ namespace swimtwin
           result.note = orbit.failure;
       }
 
-      const Swimmers     &swimmers_;
-      const SweepOptions &options_;
-      SwimmerIntegrator   all_, fewer_;
-      PeriodicOrbitFinder orbits_;
+      const Swimmers                &swimmers_;
+      const SweepOptions            &options_;
+      SwimmerIntegrator              all_, fewer_;
+      PeriodicOrbitFinder            orbits_;
+      std::vector<SwimmerIntegrator> halves_;
     };
   } // namespace
 

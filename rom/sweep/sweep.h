@@ -48,6 +48,8 @@ namespace swimtwin
     double       displacement_m = 0., periodic_displacement_m = 0., error_indicator_m = 0.;
     double       largest_multiplier = 0.; ///< Floquet's, in size
     double       held_out_error     = 0.; ///< relative, that held-out runs nearby had; NaN without any
+    double       fit_change_m       = 0.; ///< what fits of the resistance to half of the samples change; 0 without any
+    double       error_95_m         = 0.; ///< the full-order displacement is within this with 95 %; NaN if not known
     TrustNotes   trust;
     std::string  note;
     double       cpu_time_s = 0.;

@@ -16,6 +16,8 @@ namespace swimtwin
     all.insert(all.end(), outside_region.begin(), outside_region.end());
     if (!held_out.empty())
       all.push_back(held_out);
+    if (!bound.empty())
+      all.push_back(bound);
     return fmt::format("{}", fmt::join(all, "; "));
   }
 
@@ -43,6 +45,14 @@ namespace swimtwin
       notes.held_out = "no held-out run tells the error";
     else if (error > 2. * target_of(record))
       notes.held_out = fmt::format("held-out runs nearby are off by {:.2g} %", 100. * error);
+  }
+
+  void note_error_bound(const TrainingRecord &record, const double bound_m, const double displacement_m,
+                        TrustNotes &notes)
+  {
+    const double relative = bound_m / error_scale_m(record, displacement_m);
+    if (relative > largest_borne_error)
+      notes.bound = fmt::format("the error may be {:.2g} % (95 %)", 100. * relative);
   }
 
   double displacement_error_indicator(const double all_modes_m, const double fewer_modes_m)

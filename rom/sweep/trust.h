@@ -19,6 +19,8 @@ namespace swimtwin
 
     /// "held-out runs nearby are off by 20 %", if that is more than the model may be off at worst.
     std::string held_out;
+    /// "the error may be 12 % of the displacement (95 %)", if that is more than a result may rest on.
+    std::string bound;
 
     bool inside() const { return outside_range.empty() && outside_region.empty(); }
     /// All phrases, separated by "; ".
@@ -30,6 +32,9 @@ namespace swimtwin
 
   /// `error`: relative, of held-out runs nearby; NaN without any.
   void note_held_out_error(const TrainingRecord &record, double error, TrustNotes &notes);
+
+  /// `bound_m`: of the error, with 95 %; NaN if not known.
+  void note_error_bound(const TrainingRecord &record, double bound_m, double displacement_m, TrustNotes &notes);
 
   /// Estimated error of a displacement (m) from that of the model with fewer modes: what the last modes change. The
   /// modes fade, so what all those left out would change is taken to be no more.

@@ -15,6 +15,14 @@ namespace swimtwin
         ordered.col(table.position_of_row(static_cast<int>(row))) += coefficients.row(row).transpose();
       return ordered;
     }
+
+    Eigen::Index first_nonzero_column(const Eigen::MatrixXd &matrix)
+    {
+      Eigen::Index first = 0;
+      while (first < matrix.cols() && matrix.col(first).isZero(0.))
+        ++first;
+      return first;
+    }
   } // namespace
 
   CoordinatePolynomials::CoordinatePolynomials(const ShapePolynomials &polynomials, const Eigen::VectorXi &parity)
@@ -24,44 +32,57 @@ namespace swimtwin
     if (monomials_.size() > max_monomials)
       throw InputError("the reduced model has more monomials of its shape than this program computes with: train it "
                        "with fewer --modes.");
+    first_        = first_nonzero_column(coefficients_);
+    coefficients_ = coefficients_.rightCols(coefficients_.cols() - first_).eval();
   }
 
-  Eigen::VectorXd CoordinatePolynomials::value(const ShapeVector &q) const
+  AmplitudeVector CoordinatePolynomials::value(const ShapeVector &q) const
   {
     Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, max_monomials, 1> m(monomials_.size());
     const ShapeVector                                                           z = q.cwiseProduct(inverse_scale_);
     monomials_.evaluate(z, m);
-    return coefficients_ * m;
+    AmplitudeVector values(size());
+    values.noalias() = coefficients_ * m.tail(coefficients_.cols());
+    return values;
   }
 
-  Eigen::MatrixXd CoordinatePolynomials::slopes(const ShapeVector &q) const
+  AmplitudeMatrix CoordinatePolynomials::slopes(const ShapeVector &q) const
   {
     Eigen::MatrixXd   m(monomials_.size(), 1 + q.size());
     const ShapeVector z = q.cwiseProduct(inverse_scale_);
     monomials_.evaluate_with_gradient(z, m);
-    return coefficients_ * m.rightCols(q.size()) * inverse_scale_.asDiagonal();
+    AmplitudeMatrix slopes(size(), q.size());
+    slopes.noalias() = coefficients_ * m.bottomRightCorner(coefficients_.cols(), q.size());
+    return slopes * inverse_scale_.asDiagonal();
+  }
+
+  ShapePolynomials derivative_of(const ShapePolynomials &polynomials, const Eigen::Index coordinate)
+  {
+    std::vector<int> rows;
+    for (Eigen::Index row = 0; row < polynomials.exponents.rows(); ++row)
+      if (polynomials.exponents(row, coordinate) > 0)
+        rows.push_back(static_cast<int>(row));
+    ShapePolynomials      derivative{polynomials.scale_m, polynomials.exponents(rows, Eigen::all),
+                                polynomials.coefficients(rows, Eigen::all)};
+    const Eigen::VectorXd power = derivative.exponents.col(coordinate).cast<double>();
+    derivative.coefficients     = (power / polynomials.scale_m(coordinate)).asDiagonal() * derivative.coefficients;
+    derivative.exponents.col(coordinate).array() -= 1;
+    return derivative;
   }
 
   ShapePolynomials gradient_of(const ShapePolynomials &polynomials)
   {
-    const Eigen::Index           r = polynomials.exponents.cols();
-    std::vector<Eigen::VectorXi> exponents;
-    std::vector<Eigen::VectorXd> coefficients;
-    for (Eigen::Index row = 0; row < polynomials.exponents.rows(); ++row)
-      for (Eigen::Index k = 0; k < r; ++k)
-        if (const int power = polynomials.exponents(row, k); power > 0)
-        {
-          exponents.emplace_back(polynomials.exponents.row(row).transpose());
-          --exponents.back()(k);
-          coefficients.emplace_back(Eigen::VectorXd::Zero(r));
-          coefficients.back()(k) = power * polynomials.coefficients(row, 0) / polynomials.scale_m(k);
-        }
-    ShapePolynomials gradient{polynomials.scale_m, Eigen::MatrixXi(exponents.size(), r),
-                              Eigen::MatrixXd(coefficients.size(), r)};
-    for (std::size_t row = 0; row < exponents.size(); ++row)
+    const Eigen::Index r = polynomials.exponents.cols();
+    ShapePolynomials   gradient{polynomials.scale_m, Eigen::MatrixXi(0, r), Eigen::MatrixXd(0, r)};
+    for (Eigen::Index k = 0; k < r; ++k)
     {
-      gradient.exponents.row(static_cast<Eigen::Index>(row))    = exponents[row].transpose();
-      gradient.coefficients.row(static_cast<Eigen::Index>(row)) = coefficients[row].transpose();
+      const ShapePolynomials by_k  = derivative_of(polynomials, k);
+      const Eigen::Index     first = gradient.exponents.rows(), n = by_k.exponents.rows();
+      gradient.exponents.conservativeResize(first + n, r);
+      gradient.exponents.bottomRows(n) = by_k.exponents;
+      gradient.coefficients.conservativeResize(first + n, r);
+      gradient.coefficients.bottomRows(n).setZero();
+      gradient.coefficients.bottomRows(n).col(k) = by_k.coefficients.col(0);
     }
     return gradient;
   }

@@ -10,22 +10,25 @@ namespace swimtwin
   class CoordinatePolynomials
   {
   public:
-    /// `parity` of the coordinates.
+    /// At most max_amplitudes of them. `parity` of the coordinates.
     CoordinatePolynomials(const ShapePolynomials &polynomials, const Eigen::VectorXi &parity);
 
     int             size() const { return static_cast<int>(coefficients_.rows()); }
-    Eigen::VectorXd value(const ShapeVector &q) const;
+    AmplitudeVector value(const ShapeVector &q) const;
     /// By the coordinates (not scaled), size() x r.
-    Eigen::MatrixXd slopes(const ShapeVector &q) const;
+    AmplitudeMatrix slopes(const ShapeVector &q) const;
 
     static constexpr int max_monomials = 2048;
 
   private:
-    Eigen::VectorXd inverse_scale_;
+    ShapeVector     inverse_scale_;
     MonomialTable   monomials_;
-    Eigen::MatrixXd coefficients_; ///< size() x monomials as the table orders them
+    Eigen::MatrixXd coefficients_; ///< size() x monomials as the table orders them, from `first_` on
+    Eigen::Index    first_ = 0;    ///< those before have no coefficients: of even ones, if all polynomials are odd
   };
 
+  /// The derivatives of all polynomials by a coordinate, as polynomials.
+  ShapePolynomials derivative_of(const ShapePolynomials &polynomials, Eigen::Index coordinate);
   /// The derivatives of the first polynomial by all coordinates, as polynomials.
   ShapePolynomials gradient_of(const ShapePolynomials &polynomials);
 } // namespace swimtwin

@@ -1,6 +1,5 @@
 #include <rom/swimmer/energy_gradient.h>
 
-#include <algorithm>
 #include <map>
 
 namespace swimtwin
@@ -86,25 +85,19 @@ namespace swimtwin
     }
   } // namespace
 
-  EnergyGradient::Terms EnergyGradient::terms(const Eigen::MatrixXd &gram, const ReducedTail &tail)
+  ShapePolynomials EnergyGradient::polynomials(const Eigen::MatrixXd &gram, const ReducedTail &tail)
   {
-    const int              r          = tail.n_coordinates();
-    const Polynomial       polynomial = energy(gram, tail);
-    std::vector<Exponents> rows;
-    Terms                  terms;
-    for (int k = 0; k < r; ++k)
-      for (const auto &[e, c] : polynomial)
-        if (const int power = e[static_cast<std::size_t>(k)]; power > 0)
-        {
-          rows.push_back(e);
-          --rows.back()[static_cast<std::size_t>(k)];
-          terms.coordinate.push_back(k);
-          terms.coefficient.push_back(power * c);
-        }
-    terms.exponents.resize(static_cast<Eigen::Index>(rows.size()), r);
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      terms.exponents.row(static_cast<Eigen::Index>(i)) = Eigen::Map<const Eigen::RowVectorXi>(rows[i].data(), r);
-    return terms;
+    const int        r          = tail.n_coordinates();
+    const Polynomial polynomial = energy(gram, tail);
+    ShapePolynomials sum{Eigen::VectorXd::Ones(r), Eigen::MatrixXi(polynomial.size(), r),
+                         Eigen::MatrixXd(polynomial.size(), 1)};
+    Eigen::Index     row = 0;
+    for (const auto &[e, c] : polynomial)
+    {
+      sum.exponents.row(row)     = Eigen::Map<const Eigen::RowVectorXi>(e.data(), r);
+      sum.coefficients(row++, 0) = c;
+    }
+    return gradient_of(sum);
   }
 
   double EnergyGradient::most_monomials(const ReducedTail &tail)
@@ -117,37 +110,7 @@ namespace swimtwin
   }
 
   EnergyGradient::EnergyGradient(const Eigen::MatrixXd &gram, const ReducedTail &tail)
-      : EnergyGradient(terms(gram, tail), tail)
+      : CoordinatePolynomials(polynomials(gram, tail), tail.coordinate_parity())
   {
-  }
-
-  EnergyGradient::EnergyGradient(const Terms &terms, const ReducedTail &tail)
-      : monomials_(terms.exponents, tail.coordinate_parity()),
-        coefficients_(Eigen::MatrixXd::Zero(monomials_.size(), tail.n_coordinates()))
-  {
-    first_ = monomials_.size();
-    for (std::size_t row = 0; row < terms.coordinate.size(); ++row)
-    {
-      const int position = monomials_.position_of_row(static_cast<int>(row));
-      coefficients_(position, terms.coordinate[row]) += terms.coefficient[row];
-      first_ = std::min<Eigen::Index>(first_, position);
-    }
-    coefficients_ = coefficients_.bottomRows(monomials_.size() - first_).eval();
-  }
-
-  ShapeVector EnergyGradient::value(const ShapeVector &q) const
-  {
-    Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, max_monomials, 1> m(monomials_.size());
-    monomials_.evaluate(q, m);
-    ShapeVector gradient(q.size());
-    gradient.noalias() = coefficients_.transpose() * m.tail(coefficients_.rows());
-    return gradient;
-  }
-
-  ShapeMatrix EnergyGradient::slopes(const ShapeVector &q) const
-  {
-    Eigen::MatrixXd m(monomials_.size(), 1 + q.size());
-    monomials_.evaluate_with_gradient(q, m);
-    return coefficients_.transpose() * m.bottomRightCorner(coefficients_.rows(), q.size());
   }
 } // namespace swimtwin

@@ -8,11 +8,13 @@ namespace swimtwin
     using ProductVector        = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, max_products, 1>;
   } // namespace
 
-  ShapeAmplitudes::ShapeAmplitudes(const ReducedTail &tail)
-      : r_(tail.n_coordinates()), followers_(tail.followers), given_(tail.amplitudes)
+  ShapeAmplitudes::ShapeAmplitudes(const ReducedTail &tail) : r_(tail.n_coordinates()), followers_(tail.followers)
   {
-    if (given_.are_given())
-      polynomials_.emplace(given_, tail.coordinate_parity());
+    if (!tail.amplitudes.are_given())
+      return;
+    polynomials_.emplace(tail.amplitudes, tail.coordinate_parity());
+    for (int k = 0; k < r_; ++k)
+      derivatives_.emplace_back(derivative_of(tail.amplitudes, k), tail.coordinate_parity());
   }
 
   AmplitudeVector ShapeAmplitudes::value(const ShapeVector &q) const
@@ -68,12 +70,13 @@ namespace swimtwin
 
   ShapeMatrix ShapeAmplitudes::curvature(const ShapeVector &q, const AmplitudeVector &weights) const
   {
+    ShapeMatrix H = ShapeMatrix::Zero(r_, r_);
     if (polynomials_)
     {
-      const ShapePolynomials weighted{given_.scale_m, given_.exponents, given_.coefficients * weights};
-      return CoordinatePolynomials(gradient_of(weighted), Eigen::VectorXi::Constant(r_, -1)).slopes(q);
+      for (int k = 0; k < r_; ++k)
+        H.row(k).noalias() = weights.transpose() * derivatives_[static_cast<std::size_t>(k)].slopes(q);
+      return H;
     }
-    ShapeMatrix H = ShapeMatrix::Zero(r_, r_);
     if (followers_.rows() == 0)
       return H;
     for (int i = 0, k = 0; i < r_; ++i)

@@ -6,6 +6,7 @@
 #include <rom/swimmer/state_vectors.h>
 
 #include <optional>
+#include <vector>
 
 namespace swimtwin
 {
@@ -29,7 +30,7 @@ namespace swimtwin
   private:
     int                                  r_;
     Eigen::MatrixXd                      followers_;
-    ShapePolynomials                     given_;
     std::optional<CoordinatePolynomials> polynomials_; ///< of those given
+    std::vector<CoordinatePolynomials>   derivatives_; ///< by each coordinate
   };
 } // namespace swimtwin

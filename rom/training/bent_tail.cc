@@ -27,14 +27,21 @@ namespace swimtwin
       return points;
     }
 
+    /// Twice as many for every coordinate beyond four: so fast the monomials grow.
+    int n_shapes(const int for_four, const Eigen::Index r)
+    {
+      return for_four << std::max<Eigen::Index>(0, r - 4);
+    }
+
     std::vector<Eigen::VectorXd> goals(const Eigen::MatrixXd &seen, const SampledRegion &region)
     {
+      const Eigen::Index           r = seen.rows();
       const ShapePoint             rest{Eigen::VectorXd::Zero(seen.rows()), 0., 0., 0.};
       std::vector<Eigen::VectorXd> q;
       for (const auto &point :
-           spread_out(points_of(seen), {rest}, region, Eigen::VectorXd::Ones(seen.rows()), n_along_runs))
+           spread_out(points_of(seen), {rest}, region, Eigen::VectorXd::Ones(r), n_shapes(n_along_runs, r)))
         q.push_back(beyond_runs * point.q);
-      for (const auto &point : filling_points(region, rest, n_filling))
+      for (const auto &point : filling_points(region, rest, n_shapes(n_filling, r)))
         q.push_back(beyond_runs * point.q);
       for (const auto &point : axis_points(region, rest))
         if (point.q.norm() > 0.)

@@ -67,7 +67,7 @@ namespace swimtwin
       runs.push_back({p.young_modulus_Pa, p.viscosity_Pa_s, p.magnetization_A_m, p.frequency_Hz, p.bx_T, p.by_T,
                       fine[k],
                       std::abs(fine[k] - half[k]) / 3., // second order in the step
-                      predicted.displacement_m, predicted.error_indicator_m});
+                      predicted.displacement_m, predicted.error_indicator_m, predicted.fit_change_m});
     }
     return runs;
   }

@@ -76,15 +76,28 @@ namespace swimtwin
     }
     column(rank_) = left_over;
     largest_norm_ = std::max(largest_norm_, column.norm());
-    if (left_over > round_off * largest_norm_)
+    if (left_over > round_off * largest_norm_ && is_new_direction(left_over))
     {
-      check_petsc(BVScaleColumn(basis_, rank_, 1. / left_over), "scaled a basis");
       ++rank_;
       check_petsc(BVSetActiveColumns(basis_, 0, rank_), "grew a basis");
     }
     else
       column.conservativeResize(rank_);
     coefficients_.push_back(std::move(column));
+  }
+
+  /// Scales the last column to one. Where hardly anything is left of a snapshot that may be round-off, which is not
+  /// orthogonal to the basis once it is scaled: what does not survive a second orthogonalisation is no direction.
+  bool PodBuilder::is_new_direction(const double left_over)
+  {
+    constexpr double survivor = .7;
+    double           norm;
+    check_petsc(BVScaleColumn(basis_, rank_, 1. / left_over), "scaled a basis");
+    check_petsc(BVOrthogonalizeColumn(basis_, rank_, nullptr, &norm, nullptr), "projected a snapshot");
+    if (norm < survivor)
+      return false;
+    check_petsc(BVScaleColumn(basis_, rank_, 1. / norm), "scaled a basis");
+    return true;
   }
 
   Eigen::MatrixXd PodBuilder::gather_basis() const

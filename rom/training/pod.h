@@ -35,6 +35,7 @@ namespace swimtwin
 
   private:
     void            add_snapshot(const Eigen::VectorXd &snapshot);
+    bool            is_new_direction(double left_over);
     Eigen::MatrixXd gather_basis() const;
 
     MPI_Comm                     communicator_;

@@ -153,7 +153,7 @@ namespace swimtwin
   } // namespace
 
   ResistanceFit::ResistanceFit(const std::vector<ResistanceSample> &samples, const SampledRegion &region,
-                               const Eigen::VectorXd &effects, const UsualPlace &usual)
+                               const Eigen::VectorXd &effects, const UsualPlace &usual, const double nearly)
       : region_(region)
   {
     const Eigen::Index n       = samples.front().resistance.rows();
@@ -167,7 +167,7 @@ namespace swimtwin
       table.entries.row(k) = factor_entries(resistance_.factor_at_rest, samples[k].resistance).transpose();
     }
 
-    choose_features(feature_sets(effects, table.z.rows()), table);
+    choose_features(feature_sets(effects, table.z.rows()), table, nearly);
     const Eigen::MatrixXd A = table.weight.asDiagonal() * design(resistance_.exponents, table.z);
     for (const int odd : {0, 1})
     {
@@ -186,12 +186,24 @@ namespace swimtwin
       resistance_.usual_by_coordinate = usual.by_coordinate;
     }
     resistance_.coefficients = fit_coefficients(resistance_.exponents, table);
+    fit_halves(table);
   }
 
-  void ResistanceFit::choose_features(const std::vector<Eigen::MatrixXi> &sets, const SampleTable &table)
+  void ResistanceFit::fit_halves(const SampleTable &table)
   {
-    // The smallest set that is nearly as good as the best: every monomial is paid for at each step in time.
-    constexpr double        nearly = 1.15;
+    for (const int half : {0, 1})
+    {
+      std::vector<int> rows{0}; // rest is in both
+      for (int k = 1; k < table.z.rows(); ++k)
+        if (k % 2 == half)
+          rows.push_back(k);
+      resistance_.half_fits.push_back(fit_coefficients(resistance_.exponents, table.rows(rows)));
+    }
+  }
+
+  void ResistanceFit::choose_features(const std::vector<Eigen::MatrixXi> &sets, const SampleTable &table,
+                                      const double nearly)
+  {
     std::vector<FitQuality> qualities;
     double                  best = std::numeric_limits<double>::infinity();
     for (const auto &set : sets)

@@ -46,12 +46,16 @@ namespace swimtwin
 
   /// Which monomials matter is told by `effects`: how much each variable at the region's edge changes the scaled
   /// factor. Their products, raised to the powers of a monomial, must exceed a bound; the bound is chosen by
-  /// cross-validation. The first sample is that at rest. All bending coordinates are odd.
+  /// cross-validation: the smallest set that is within `nearly` times of the best. The first sample is that at rest.
+  /// All bending coordinates are odd. The halves of the samples are fitted by themselves as well, every other one.
   class ResistanceFit
   {
   public:
+    /// Every monomial is paid for at each step in time.
+    static constexpr double usual_nearly = 1.15;
+
     ResistanceFit(const std::vector<ResistanceSample> &samples, const SampledRegion &region,
-                  const Eigen::VectorXd &effects, const UsualPlace &usual = {});
+                  const Eigen::VectorXd &effects, const UsualPlace &usual = {}, double nearly = usual_nearly);
 
     const ReducedResistance &resistance() const { return resistance_; }
     /// By five-fold cross-validation.
@@ -66,7 +70,8 @@ namespace swimtwin
     double velocity_error_at(const ResistanceSample &sample, const Eigen::VectorXd &velocity) const;
 
   private:
-    void choose_features(const std::vector<Eigen::MatrixXi> &sets, const SampleTable &table);
+    void choose_features(const std::vector<Eigen::MatrixXi> &sets, const SampleTable &table, double nearly);
+    void fit_halves(const SampleTable &table);
 
     SampledRegion                   region_;
     ReducedResistance               resistance_;

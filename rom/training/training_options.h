@@ -17,17 +17,18 @@ namespace swimtwin
 
   struct TrainingOptions
   {
-    std::filesystem::path              folder; ///< exists; nothing is written elsewhere
-    std::string                        command_line;
-    TrainedRange                       range;
-    BasisChoice                        basis         = BasisChoice::bending;
-    int                                n_coordinates = 4, n_followers = 8;
-    int                                n_samples        = 2000; ///< of the resistance
-    int                                n_held_out       = 4;    ///< full-order runs to compare with
-    int                                steps_per_period = 60;   ///< of the runs that snapshots are taken from
-    double                             target           = 0.01; ///< relative error of held-out displacements to be met
-    double                             shape_margin     = 1.15; ///< region that is sampled over the largest shape seen
-    std::vector<std::filesystem::path> snapshots;               ///< more files of the same swimmer
+    std::filesystem::path folder; ///< exists; nothing is written elsewhere
+    std::string           command_line;
+    TrainedRange          range;
+    BasisChoice           basis         = BasisChoice::bending;
+    int                   n_coordinates = 4, n_followers = 8;
+    int                   n_samples        = 2000;  ///< of the resistance
+    int                   n_held_out       = 8;     ///< full-order runs to compare with
+    int                   steps_per_period = 60;    ///< of the runs that snapshots are taken from
+    double                target           = 0.01;  ///< relative error of held-out displacements to be met
+    double                budget_s         = 3600.; ///< CPU time of all ranks: beyond it nothing is added to the model
+    double                shape_margin     = 1.15;  ///< region that is sampled over the largest shape seen
+    std::vector<std::filesystem::path> snapshots;   ///< more files of the same swimmer
     /// On every rank: work done and in all, of a stage of the training.
     std::function<void(const std::string &stage, int done, int total)> on_progress;
   };

@@ -58,13 +58,41 @@ namespace swimtwin
   {
     const TemporaryFolder folder;
     const auto            results = folder.path / "model";
-    expect_failure(run_tool(train_arguments(results, {"--basis", "elastic", "--followers", "3"}, "1e-6")), 1,
-                   {"model.h5", "misses its target"});
+    expect_failure(
+        run_tool(train_arguments(results, {"--basis", "elastic", "--followers", "3", "--budget", "1s"}, "1e-6")), 1,
+        {"model.h5", "misses its target"});
     EXPECT_EQ(content(results / "model-card.txt").find("MISSED"), 0u);
     EXPECT_EQ(read_reduced_model(results / "model.h5").record.target, 1e-6);
     EXPECT_NE(run_tool({"sweep", (results / "model.h5").string(), "--output", (folder.path / "sweep").string()})
                   .err.find("misses its target"),
               std::string::npos);
+  }
+
+  TEST(Train, OnDisplacementModesOfItsRuns)
+  {
+    const TemporaryFolder folder;
+    const auto            results = folder.path / "model";
+    const Outcome         trained = run_tool(train_arguments(results, {"--basis", "pod", "--budget", "1s"}, "10%"));
+    ASSERT_EQ(trained.exit_code, 0) << trained.err;
+    const ReducedModel model = read_reduced_model(results / "model.h5");
+    EXPECT_FALSE(model.tail.amplitudes.are_given());
+    EXPECT_GT(model.tail.followers.rows(), 0);
+    EXPECT_EQ(model.resistance.half_fits.size(), 2u);
+    EXPECT_NE(content(results / "model-card.txt").find("CPU time: "), std::string::npos);
+  }
+
+  // Two modes and few samples of a swimmer that needs more: the fit, samples or a mode are added, and it is said.
+  TEST(Train, AimsUntilItsBudgetIsSpent)
+  {
+    const TemporaryFolder folder;
+    const auto            results = folder.path / "model";
+    expect_failure(run_tool(train_arguments(results, {"--budget", "60s"}, "1e-5")), 1, {"misses its target"});
+    const auto history = read_reduced_model(results / "model.h5").record.history;
+    ASSERT_GE(history.size(), 4u); // the first model, one more at least, the time, the end
+    EXPECT_EQ(history[0].find("2 modes, 9"), 0u) << history[0];
+    EXPECT_NE(history.back().find("It ended because"), std::string::npos);
+    expect_failure(run_tool(train_arguments(results, {"--budget", "1s", "--resume"}, "1e-5")), 1,
+                   {"misses its target"}); // the samples and runs are there already
   }
 
   TEST(Train, RefusesWhatTheReducedSwimmerCannotBe)
@@ -79,6 +107,9 @@ namespace swimtwin
     refuse({"open-2d", "--set", "tail.law=\"neo-hookean\"", "--basis", "pod"}, {"st-venant-kirchhoff", "--basis"});
     refuse({"open-2d", "--set", "tail.law=\"rigid\""}, {"cannot be trained", "rigid"});
     refuse({"open-2d", "--target", "none"}, {"--target"});
+    refuse({"open-2d", "--budget", "30"}, {"--budget = 30", "unit of time", "30min"});
+    refuse({"open-2d", "--budget", "-5min"}, {"--budget"});
+    refuse({"open-2d", "--followers", "3"}, {"--followers", "--basis bending", "leave it out"});
     refuse({"open-2d", "--set", "field.ramp_s=0.5"}, {"ramp_s", "take it out"});
     refuse({"open-2d", "--frequency", "0.1:30"}, {"unsteady group", "--allow-inertia"});
     refuse({"open-2d", "--young-modulus", "-1:2"}, {"--young-modulus"});

@@ -1,8 +1,9 @@
 #include <rom/swimmer/state_scale.h>
 #include <twin/motion/state_transition.h>
 
-// Letters: u = (angle, shape), F = du/dt, J = dF/du, Z_i = u_i - u_0 at the stages, h length of the step:
-// Z_i = h sum_j A_ij F(u_0 + Z_j). Position follows by the same rule, because nothing depends on it.
+// Letters: u = (angle, shape), before them the height if the resistance depends on it, F = du/dt, J = dF/du,
+// Z_i = u_i - u_0 at the stages, h length of the step: Z_i = h sum_j A_ij F(u_0 + Z_j). What is left of the position
+// follows by the same rule, because nothing depends on it.
 
 namespace swimtwin
 {
@@ -14,11 +15,11 @@ namespace swimtwin
   }                                              // namespace
 
   StateTransition::StateTransition(const ReducedSwimmer &swimmer)
-      : swimmer_(swimmer), n_(swimmer.n_states()), k_(swimmer.n_modes() + 1), rule_(radau_rule()),
-        motion_(swimmer.make_motion()), increments_(n_stages * k_), correction_(n_stages * k_),
-        matrix_(n_stages * k_, n_stages * k_), factors_(n_stages * k_), loads_(n_stages * k_, k_ + n_step_parameters),
-        inputs_(n_, n_step_parameters), by_start_(n_, n_), by_parameters_(n_, n_step_parameters),
-        scale_(state_scale(swimmer))
+      : swimmer_(swimmer), n_(swimmer.n_states()), k_(swimmer.n_modes() + 1 + swimmer.resistance().depends_on_height()),
+        free_(n_ - k_), rule_(radau_rule()), motion_(swimmer.make_motion()), increments_(n_stages * k_),
+        correction_(n_stages * k_), matrix_(n_stages * k_, n_stages * k_), factors_(n_stages * k_),
+        loads_(n_stages * k_, k_ + n_step_parameters), inputs_(n_, n_step_parameters), by_start_(n_, n_),
+        by_parameters_(n_, n_step_parameters), scale_(state_scale(swimmer))
   {
     stages_.fill(swimmer.make_derivatives());
   }
@@ -107,7 +108,7 @@ namespace swimtwin
       set_inputs(stages_[static_cast<std::size_t>(j)]);
       for (int i = 0; i < n_stages; ++i)
         loads_.block(i * k_, k_, k_, n_step_parameters) += length * rule_.A(i, j) * inputs_.bottomRows(k_);
-      by_parameters_.topRows(2) += length * rule_.A(n_stages - 1, j) * inputs_.topRows(2);
+      by_parameters_.topRows(free_) += length * rule_.A(n_stages - 1, j) * inputs_.topRows(free_);
     }
     loads_ = factors_.solve(loads_);
 
@@ -115,9 +116,9 @@ namespace swimtwin
     for (int j = 0; j < n_stages; ++j)
     {
       const double weight = length * rule_.A(n_stages - 1, j);
-      const auto   slopes = stages_[static_cast<std::size_t>(j)].by_state.topRightCorner(2, k_);
-      by_start_.topRightCorner(2, k_) += weight * slopes.lazyProduct(loads_.block(j * k_, 0, k_, k_));
-      by_parameters_.topRows(2) += weight * slopes.lazyProduct(loads_.block(j * k_, k_, k_, n_step_parameters));
+      const auto   slopes = stages_[static_cast<std::size_t>(j)].by_state.topRightCorner(free_, k_);
+      by_start_.topRightCorner(free_, k_) += weight * slopes.lazyProduct(loads_.block(j * k_, 0, k_, k_));
+      by_parameters_.topRows(free_) += weight * slopes.lazyProduct(loads_.block(j * k_, k_, k_, n_step_parameters));
     }
     by_start_.bottomRightCorner(k_, k_) = loads_.block((n_stages - 1) * k_, 0, k_, k_);
     by_parameters_.bottomRows(k_)       = loads_.block((n_stages - 1) * k_, k_, k_, n_step_parameters);
@@ -137,9 +138,9 @@ namespace swimtwin
     for (int j = 0; j < n_stages; ++j)
     {
       const RateDerivatives &stage = stages_[static_cast<std::size_t>(j)];
-      state.head<2>() +=
-          length * rule_.A(n_stages - 1, j) *
-          (stage.rate.head<2>() + stage.by_state.topRightCorner(2, k_).lazyProduct(correction_.segment(j * k_, k_)));
+      state.head(free_) += length * rule_.A(n_stages - 1, j) *
+                           (stage.rate.head(free_) +
+                            stage.by_state.topRightCorner(free_, k_).lazyProduct(correction_.segment(j * k_, k_)));
     }
     state.tail(k_) += increments_.tail(k_);
     return true;

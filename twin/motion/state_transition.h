@@ -36,7 +36,7 @@ namespace swimtwin
 
   private:
     static constexpr int n_stages = RadauRule::n_stages;
-    static constexpr int max_size = n_stages * (max_modes + 1);
+    static constexpr int max_size = n_stages * (max_modes + 2);
     using StageMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, max_size, max_size>;
     using StageVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, max_size, 1>;
 
@@ -47,7 +47,7 @@ namespace swimtwin
     void set_derivatives(double length, const SwimmerParameters &parameters);
 
     const ReducedSwimmer &swimmer_;
-    Eigen::Index          n_, k_; ///< states; angle and shape, on which all depends
+    Eigen::Index          n_, k_, free_; ///< states; those on which all depends; those on which nothing does
     RadauRule             rule_;
 
     SwimmerMotion                         motion_;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace swimtwin
 {
   namespace
@@ -61,6 +63,27 @@ namespace swimtwin
     EXPECT_GT(*error_nearby(record(), run(10., 0., 0.)), .19);
     EXPECT_NEAR(*error_nearby(record(), run(1e6, 0., 0.)), displacement_error(record()).rms, 1e-9);
     EXPECT_FALSE(error_nearby({}, run(1., 0., 0.)));
+  }
+
+  // Student's distribution with as many degrees of freedom as runs: 2.306 for eight.
+  TEST(HeldOutError, BoundIsStudentsQuantileTimesTheErrorsSize)
+  {
+    TrainingRecord alike;
+    for (int k = 0; k < 8; ++k)
+      alike.held_out_runs.push_back(run(1., 1e-4 * (k % 2 == 0 ? 1. / 1.01 : 1. / .99), 1e-4));
+    const double bound_m = error_bound_m(alike, {1e-4, 0.});
+    EXPECT_NEAR(bound_m, 2.306 * 1e-6, .01e-6);
+    EXPECT_NEAR(error_bound_m(alike, {2e-4, 0.}), 2. * bound_m, 1e-12);
+    EXPECT_TRUE(std::isnan(error_bound_m({}, {1e-4, 0.})));
+  }
+
+  TEST(HeldOutError, BoundGrowsWhereFitsToHalfOfTheSamplesDisagree)
+  {
+    const double quiet_m = error_bound_m(record(), {1e-4, 0.}), loud_m = error_bound_m(record(), {1e-4, 5e-6});
+    EXPECT_NEAR(loud_m / quiet_m, std::hypot(.005, .05) / .005, 1e-9);
+    TrainingRecord told                = record();
+    told.held_out_runs[1].fit_change_m = 2e-5; // the bad run was known to be bad
+    EXPECT_LT(error_bound_m(told, {1e-4, 0.}), .1 * quiet_m);
   }
 
   TEST(HeldOutError, ScalesWithStiffnessViscosityAndMagnetizationTogether)

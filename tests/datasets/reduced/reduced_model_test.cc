@@ -125,6 +125,61 @@ namespace swimtwin
     EXPECT_EQ(read.scene_text, written.scene_text);
   }
 
+  // Format version 2: bending coordinates, and the height between walls.
+  TEST(ReducedModel, RoundTripKeepsPolynomialsOfShapesAndTheHeight)
+  {
+    const TemporaryFolder  folder;
+    ReducedModel           written    = random_model();
+    const ShapePolynomials amplitudes = {Eigen::Vector2d(1e-3, 2e-3),
+                                         (Eigen::MatrixXi(3, 2) << 1, 0, 0, 1, 2, 1).finished(),
+                                         Eigen::MatrixXd::Random(3, 3)};
+    written.tail.amplitudes           = amplitudes;
+    written.elasticity = {{}, {}, .4, {amplitudes.scale_m, amplitudes.exponents * 2, Eigen::MatrixXd::Random(3, 1)}};
+    auto                   &resistance = written.resistance;
+    const ReducedResistance few        = truncated(random_model(), 2).resistance;
+    resistance.factor_at_rest          = few.factor_at_rest;
+    resistance.coordinate_scale_m      = few.coordinate_scale_m;
+    resistance.exponents               = Eigen::MatrixXi::Identity(4, 4);
+    resistance.coefficients            = Eigen::MatrixXd::Random(4, 15);
+    resistance.depends_on_height       = true;
+    resistance.height_scale_m          = 3e-4;
+    resistance.usual_by_sine_m         = -2e-3;
+    resistance.usual_by_coordinate     = Eigen::Vector2d(.1, -.2);
+    written.area                       = {false, Eigen::VectorXd::Zero(3), Eigen::MatrixXd::Zero(3, 3)};
+    write_reduced_model(folder.path / "model.h5", written, of_a_training);
+    EXPECT_EQ(Hdf5Reader(folder.path / "model.h5").read_number_attribute("/", "format_version"), 2.);
+    const ReducedModel read = read_reduced_model(folder.path / "model.h5");
+    EXPECT_EQ(read.n_modes(), 2);
+    EXPECT_EQ(read.tail.amplitudes.scale_m, amplitudes.scale_m);
+    EXPECT_EQ(read.tail.amplitudes.exponents, amplitudes.exponents);
+    EXPECT_EQ(read.tail.amplitudes.coefficients, amplitudes.coefficients);
+    EXPECT_EQ(read.elasticity.energy.exponents, written.elasticity.energy.exponents);
+    EXPECT_EQ(read.elasticity.energy.coefficients, written.elasticity.energy.coefficients);
+    EXPECT_TRUE(read.resistance.depends_on_height);
+    EXPECT_EQ(read.resistance.height_scale_m, 3e-4);
+    EXPECT_EQ(read.resistance.usual_by_sine_m, -2e-3);
+    EXPECT_EQ(read.resistance.usual_by_coordinate, resistance.usual_by_coordinate);
+    EXPECT_EQ(read.resistance.exponents, resistance.exponents);
+  }
+
+  TEST(ReducedModel, RoundTripKeepsWhatTellsTheFitsErrorAndTheTrainingsHistory)
+  {
+    const TemporaryFolder folder;
+    ReducedModel          written                = random_model();
+    const Eigen::MatrixXd half                   = Eigen::MatrixXd::Random(4, 21);
+    written.resistance.half_fits                 = {half, 2. * half};
+    written.record.held_out_runs[1].fit_change_m = 7e-7;
+    written.record.history                       = {"4 modes.", "5 modes."};
+    write_reduced_model(folder.path / "model.h5", written, of_a_training);
+    const ReducedModel read = read_reduced_model(folder.path / "model.h5");
+    ASSERT_EQ(read.resistance.half_fits.size(), 2u);
+    EXPECT_EQ(read.resistance.half_fits[1], 2. * half);
+    EXPECT_EQ(read.record.held_out_runs[1].fit_change_m, 7e-7);
+    EXPECT_EQ(read.record.history, written.record.history);
+    written.resistance.half_fits.pop_back();
+    expect_in(broken_rule(written), "/resistance holds one fit to half of the samples");
+  }
+
   TEST(ReducedModel, RoundTripKeepsARigidSwimmer)
   {
     const TemporaryFolder folder;

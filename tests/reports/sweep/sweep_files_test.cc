@@ -52,9 +52,9 @@ namespace swimtwin
     ASSERT_EQ(table.n_rows(), 2u);
     EXPECT_EQ(content(folder.path / sweep_table_name),
               "young_modulus_Pa,frequency_Hz,displacement_m,viscosity_Pa_s,magnetization_A_m,bx_T,by_T,"
-              "periodic_displacement_m,error_indicator_m,inside_trained_range,held_out_error,status,note\n"
-              "80000,0.3,,1.52,100000,0.005,0.005,,,1,0,failed,\"it broke, at \"\"0.2\"\" s says CVODES\"\n"
-              "80000,0.8,0.30000000000000004,1.52,100000,0.005,0.005,0.30000000000000004,0.30000000000000004,1,0,"
+              "periodic_displacement_m,error_indicator_m,inside_trained_range,held_out_error,error_95_m,status,note\n"
+              "80000,0.3,,1.52,100000,0.005,0.005,,,1,0,0,failed,\"it broke, at \"\"0.2\"\" s says CVODES\"\n"
+              "80000,0.8,0.30000000000000004,1.52,100000,0.005,0.005,0.30000000000000004,0.30000000000000004,1,0,0,"
               "completed,ok\n");
     const auto json = nlohmann::json::parse(content(folder.path / sweep_summary_name));
     ASSERT_EQ(json["not_computed"].size(), 1u);

@@ -30,6 +30,28 @@ namespace swimtwin
     EXPECT_NEAR(orbit.start[2], run.at_period_end.back()[2], 1e-5);
   }
 
+  // Between walls that are felt the motion is that at the height where it is asked for.
+  TEST(OrbitsBetweenWalls, AreThoseAtTheHeightOfTheRequest)
+  {
+    const ReducedModel   model = example_model({.depends_on_height = true});
+    const ReducedSwimmer swimmer(model);
+    PeriodicOrbitFinder  finder(swimmer, {.relative_tolerance = 1e-9, .closure = 1e-8});
+    RunRequest           request = example_request(model);
+    request.initial_state[1]     = 4e-4;
+    const PeriodicOrbit above    = finder.find(request);
+    ASSERT_TRUE(above.converged()) << above.failure;
+    EXPECT_EQ(above.start[1], 4e-4);
+    request.initial_state  = above.start;
+    request.n_periods      = 1;
+    const SwimmerState end = SwimmerIntegrator(swimmer, {.relative_tolerance = 1e-9}).run(request).at_period_end.back();
+    EXPECT_LE((end - above.start).tail(model.n_modes()).norm(), 1e-7 * swimmer.length_m());
+    EXPECT_LE((end.head<2>() - above.start.head<2>() - above.drift_m).norm(), 1e-7 * swimmer.length_m());
+    request.initial_state[1]     = 0.;
+    const PeriodicOrbit at_usual = finder.find(request);
+    EXPECT_GT(std::abs(above.displacement_m(0.) - at_usual.displacement_m(0.)),
+              1e-3 * std::abs(at_usual.displacement_m(0.)));
+  }
+
   TEST_P(Orbits, DefaultToleranceIsFarBelowTheModelsError)
   {
     const PeriodicOrbit coarse = PeriodicOrbitFinder(swimmer).find(request);

@@ -98,6 +98,22 @@ namespace swimtwin
     EXPECT_LE((modes.transpose() * M * modes - Eigen::MatrixXd::Identity(rank, rank)).cwiseAbs().maxCoeff(), 1e-12);
   }
 
+  // What is left of them is round-off, of which nothing is orthogonal to anything once it is scaled up.
+  TEST_F(PodTest, ModesOfManySnapshotsOfFewShapesAreOrthonormalToo)
+  {
+    PodBuilder builder(M, MPI_COMM_WORLD);
+    for (unsigned int seed = 3; seed < 13; ++seed)
+      builder.add(X * random_orthonormal(m, m, seed));
+    const Eigen::MatrixXd modes = builder.compute(n).modes;
+    EXPECT_LE(
+        (modes.transpose() * M * modes - Eigen::MatrixXd::Identity(modes.cols(), modes.cols())).cwiseAbs().maxCoeff(),
+        1e-12);
+    const auto expected = lapack_singular_values(L.transpose() * X);
+    const Pod  few      = builder.compute(8);
+    for (int k = 0; k < 8; ++k)
+      EXPECT_NEAR(few.singular_values(k), std::sqrt(10.) * expected[k], 1e-12 * expected[0]);
+  }
+
   TEST_F(PodTest, ModesLeaveWhatTheFollowingSingularValuesSay)
   {
     const Pod             p    = pod(10);

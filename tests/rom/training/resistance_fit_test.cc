@@ -1,5 +1,6 @@
 #include <rom/training/resistance_fit.h>
 
+#include <rom/swimmer/resistance_surrogate.h>
 #include <rom/training/sampled_shapes.h>
 
 #include <gtest/gtest.h>
@@ -68,6 +69,45 @@ namespace swimtwin
                      odd_entry    = velocity_parity(i) * velocity_parity(j) < 0;
           EXPECT_TRUE(odd_monomial == odd_entry || r.coefficients(f, k) == 0.);
         }
+  }
+
+  TEST_F(ResistanceFitTest, HalvesOfTheSamplesAgreeTheBetterTheMoreThereAre)
+  {
+    const auto apart = [&](const int n) {
+      const ReducedResistance r = ResistanceFit(sampled(n), region, effects).resistance();
+      EXPECT_EQ(r.half_fits.size(), 2u);
+      return (r.half_fits[0] - r.half_fits[1]).norm() / r.coefficients.norm();
+    };
+    EXPECT_LT(apart(320), .3 * apart(40));
+  }
+
+  // A channel of which the resistance is known: the height above the usual one is felt as it was sampled.
+  TEST_F(ResistanceFitTest, HeightBetweenWallsIsThatAboveTheUsualOne)
+  {
+    const UsualPlace usual{-2e-3, Eigen::Vector2d(.3, -.1)};
+    region.depends_on_angle  = true;
+    region.angle_scale_rad   = .8;
+    region.depends_on_height = true;
+    region.height_scale_m    = 4e-4;
+    // An odd function of position and shape may come with the even entries only as a product of two.
+    const auto in_channel = [&](const ShapePoint &point) {
+      const Eigen::VectorXd z = region.variables(point);
+      const Eigen::MatrixXd R = resistance(z.head(2));
+      return Eigen::MatrixXd(R * (1. + .2 * z(3) * z(3) + .1 * z(3) * z(0) - .05 * z(2) * z(3)));
+    };
+    std::vector<ResistanceSample> channel{{rest, in_channel(rest)}};
+    for (const auto &point : filling_points(region, rest, 900))
+      channel.push_back({point, in_channel(point)});
+    const ReducedResistance fitted =
+        ResistanceFit(channel, region, Eigen::Vector4d(.3, .1, .1, .3), usual).resistance();
+    const ResistanceSurrogate surrogate(fitted, Eigen::Vector2i(-1, -1));
+    for (const double drift_m : {-2e-4, 0., 3e-4})
+    {
+      const ShapePoint      point{Eigen::Vector2d(4e-4, -3e-5), .5, 0., drift_m};
+      const double          height_m = -2e-3 * std::sin(.5) + .3 * 4e-4 + .1 * 3e-5 + drift_m;
+      const Eigen::MatrixXd truth = in_channel(point), R = surrogate.resistance(point.q, point.angle_rad, height_m);
+      EXPECT_LT((R - truth).norm(), 2e-3 * truth.norm()) << drift_m;
+    }
   }
 
   TEST_F(ResistanceFitTest, LeverageGrowsAwayFromTheSamples)

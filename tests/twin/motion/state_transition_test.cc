@@ -64,12 +64,29 @@ namespace swimtwin
       EXPECT_LT(std::abs(coarse.state[2] - exact[2]), 2e-3);
     }
 
+    TEST(StateTransition, FeelsTheHeightBetweenWalls)
+    {
+      const ReducedModel   model = example_model({.depends_on_height = true});
+      const ReducedSwimmer swimmer(model);
+      RunRequest           request = example_request(model);
+      request.initial_state[1]     = 4e-4;
+      request.n_periods            = 1;
+      const SwimmerState exact =
+          SwimmerIntegrator(swimmer, {.relative_tolerance = 1e-10}).run(request).at_period_end.back();
+      const Steps fine = go(swimmer, request, 320);
+      ASSERT_TRUE(fine.completed);
+      EXPECT_LT((fine.state - exact).head<2>().norm() / (0.03 * swimmer.length_m()), 1e-4);
+      EXPECT_LT(std::abs(fine.state[2] - exact[2]), 1e-4);
+    }
+
     TEST(StateTransition, HasTheDerivativesOfItsOwnStep)
     {
-      for (const bool keeps_area : {false, true})
+      for (const auto &[keeps_area, depends_on_height] : {std::pair{false, false}, {true, false}, {false, true}})
       {
-        const ReducedModel model =
-            example_model({.n_modes = 4, .n_followers = keeps_area ? 0 : 2, .keeps_area = keeps_area});
+        const ReducedModel   model = example_model({.n_modes           = 4,
+                                                    .n_followers       = keeps_area ? 0 : 2,
+                                                    .keeps_area        = keeps_area,
+                                                    .depends_on_height = depends_on_height});
         const ReducedSwimmer swimmer(model);
         RunRequest           request = example_request(model);
         request.initial_state[2]     = 0.3;

@@ -1,0 +1,80 @@
+#include <rom/training/aim.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace swimtwin
+{
+  namespace
+  {
+    bool is_of_fit(const Remedy remedy)
+    {
+      return remedy != Remedy::another_mode;
+    }
+
+    /// Whether the attempt lowered the least error before it by a tenth.
+    bool helped(const std::vector<Attempt> &attempts, const std::size_t k)
+    {
+      double before = std::numeric_limits<double>::infinity();
+      for (std::size_t i = 0; i < k; ++i)
+        before = std::min(before, attempts[i].error);
+      return attempts[k].error < .9 * before;
+    }
+
+    /// On the samples of the present modes.
+    bool fit_is_finest(const std::vector<Attempt> &attempts)
+    {
+      bool finest = false;
+      for (const Attempt &attempt : attempts)
+        if (attempt.remedy)
+          finest = *attempt.remedy == Remedy::another_mode ? false : true;
+      return finest;
+    }
+  } // namespace
+
+  double size_of(const HeldOutError &error)
+  {
+    return std::max(error.rms, .5 * error.worst);
+  }
+
+  double fit_share(const TrainingRecord &record)
+  {
+    double sum = 0.;
+    for (const HeldOutRun &run : record.held_out_runs)
+      sum += std::pow(run.fit_change_m / error_scale_m(record, run.displacement_m), 2);
+    return std::sqrt(sum / std::max<double>(1., static_cast<double>(record.held_out_runs.size())));
+  }
+
+  std::optional<Remedy> next_remedy(const std::vector<Attempt> &attempts)
+  {
+    const std::size_t last   = attempts.size() - 1;
+    bool              of_fit = attempts[last].fit_share >= .5 * attempts[last].error;
+    // A finer fit costs nothing, so that its failure says little: samples may still be what is missing.
+    const bool failed = last > 0 && !helped(attempts, last) && attempts[last].remedy != Remedy::finer_fit;
+    if (failed)
+    {
+      for (std::size_t k = last; k-- > 1 && !helped(attempts, k);)
+        if (is_of_fit(*attempts[k].remedy) != is_of_fit(*attempts[last].remedy) &&
+            attempts[k].remedy != Remedy::finer_fit)
+          return {};
+      of_fit = !is_of_fit(*attempts[last].remedy);
+    }
+    if (!of_fit)
+      return Remedy::another_mode;
+    return fit_is_finest(attempts) ? Remedy::more_samples : Remedy::finer_fit;
+  }
+
+  std::string cause_of(const TrainingRecord &record)
+  {
+    const double all = displacement_error(record).rms, fit = fit_share(record);
+    return fmt::format("as far as fits to half of the samples tell, the resistance's fit makes {:.2g} % of {:.2g} % "
+                       "(rms); {}",
+                       100. * fit, 100. * all,
+                       fit >= .5 * all ? "more --samples or a narrower range would help"
+                                       : "the rest comes from the modes, the place along the walls and what the fluid "
+                                         "does to the tail beside bending it");
+  }
+} // namespace swimtwin

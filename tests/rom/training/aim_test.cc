@@ -1,0 +1,66 @@
+#include <rom/training/aim.h>
+
+#include <gtest/gtest.h>
+
+namespace swimtwin
+{
+  namespace
+  {
+    Attempt first(const double error, const double fit)
+    {
+      return {{}, error, fit};
+    }
+  } // namespace
+
+  TEST(Aim, MendsTheFitWhereTheFitIsTheError)
+  {
+    EXPECT_EQ(next_remedy({first(.03, .02)}), Remedy::finer_fit);
+    EXPECT_EQ(next_remedy({first(.03, .02), {Remedy::finer_fit, .02, .015}}), Remedy::more_samples);
+    EXPECT_EQ(next_remedy({first(.03, .02), {Remedy::finer_fit, .04, .03}}), Remedy::more_samples); // it costs nothing
+  }
+
+  TEST(Aim, AddsAModeWhereTheFitIsNot)
+  {
+    EXPECT_EQ(next_remedy({first(.03, .005)}), Remedy::another_mode);
+    EXPECT_EQ(next_remedy({first(.03, .005), {Remedy::another_mode, .015, .002}}), Remedy::another_mode);
+  }
+
+  TEST(Aim, GivesWayToTheOtherRemedyWhereOneDoesNotHelp)
+  {
+    EXPECT_EQ(next_remedy({first(.03, .005), {Remedy::another_mode, .029, .005}}), Remedy::finer_fit);
+    EXPECT_EQ(next_remedy({first(.03, .02), {Remedy::finer_fit, .03, .02}, {Remedy::more_samples, .03, .02}}),
+              Remedy::another_mode);
+  }
+
+  TEST(Aim, EndsWhereNeitherHelps)
+  {
+    EXPECT_FALSE(next_remedy({first(.03, .02),
+                              {Remedy::finer_fit, .03, .02},
+                              {Remedy::more_samples, .03, .02},
+                              {Remedy::another_mode, .03, .02}}));
+    EXPECT_FALSE(next_remedy({first(.03, .005),
+                              {Remedy::another_mode, .03, .005},
+                              {Remedy::finer_fit, .03, .005},
+                              {Remedy::more_samples, .03, .005}}));
+  }
+
+  TEST(Aim, ASecondModeStartsFromTheUsualFit)
+  {
+    EXPECT_EQ(next_remedy({first(.03, .02), {Remedy::finer_fit, .02, .005}, {Remedy::another_mode, .015, .012}}),
+              Remedy::finer_fit);
+  }
+
+  TEST(Aim, SaysWhatTheFitMakes)
+  {
+    TrainingRecord record;
+    HeldOutRun     run;
+    run.displacement_m         = 1e-4;
+    run.reduced_displacement_m = 1.04e-4;
+    run.fit_change_m           = 3e-6;
+    record.held_out_runs       = {run};
+    EXPECT_NEAR(fit_share(record), .03, 1e-12);
+    EXPECT_NE(cause_of(record).find("makes 3 % of 4 % (rms); more --samples"), std::string::npos);
+    record.held_out_runs[0].fit_change_m = 1e-7;
+    EXPECT_NE(cause_of(record).find("the rest comes from the modes"), std::string::npos);
+  }
+} // namespace swimtwin
