@@ -377,12 +377,11 @@ namespace swimtwin
         take_stock({});
         while (misses())
         {
-          const auto remedy = next_remedy(attempts_);
-          if (!remedy)
-            return concluded("neither more samples nor another mode lowered the error by a tenth");
-          if (!can_apply(*remedy))
-            return concluded(fmt::format("what is left of the --budget of {:.0f} s does not suffice for {}",
-                                         budget_.limit_s(), text_of(*remedy)));
+          const auto        remedy = next_remedy(attempts_);
+          const std::string reason =
+              remedy ? reason_against(*remedy) : "neither more samples nor another mode lowered the error by a tenth";
+          if (!reason.empty())
+            return concluded(reason);
           apply(*remedy);
         }
         return concluded("");
@@ -403,11 +402,16 @@ namespace swimtwin
                1.2 * a_sample * options_.n_samples;
       }
 
-      bool can_apply(const Remedy remedy) const
+      /// Empty if there is none.
+      std::string reason_against(const Remedy remedy) const
       {
         constexpr int most_modes = 8;
-        return expected_cost_s(remedy) <= budget_.left_s() &&
-               (remedy != Remedy::another_mode || current_->n_coordinates() < most_modes);
+        if (remedy == Remedy::another_mode && current_->n_coordinates() >= most_modes)
+          return fmt::format("a model of more than {} modes would be slow and hard to fit", most_modes);
+        if (expected_cost_s(remedy) > budget_.left_s())
+          return fmt::format("what is left of the --budget of {:.0f} s of CPU time does not suffice for {}",
+                             budget_.limit_s(), text_of(remedy));
+        return "";
       }
 
       /// Half as many again, or what can be afforded.
