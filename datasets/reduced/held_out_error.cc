@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -17,9 +18,12 @@ namespace swimtwin
       return std::hypot(without_signs * error_scale_m(record, signs.displacement_m), signs.fit_change_m);
     }
 
-    /// Of Student's distribution, 97.5 %: the expansion about the normal one, to 0.3 % from four degrees of freedom on.
+    /// Of Student's distribution, 97.5 %: from four degrees of freedom on the expansion about the normal one, to 0.3 %.
     double student_quantile(const int n)
     {
+      constexpr std::array few{12.706, 4.303, 3.182};
+      if (n <= static_cast<int>(few.size()))
+        return few.at(static_cast<std::size_t>(n - 1));
       constexpr double z = 1.959964, z2 = z * z;
       const double     v = 1. / n;
       return z * (1. + v * ((z2 + 1.) / 4. + v * (((5. * z2 + 16.) * z2 + 3.) / 96. +

@@ -112,7 +112,7 @@ namespace swimtwin
     EXPECT_EQ(outcome.code, 0) << outcome.errors;
     expect_in(outcome.errors, "off.h5: the reduced model misses its target: displacements are off by 25 % (rms)");
     const CsvTable table = CsvTable::read(folder.path / "swept/displacement_frequency.csv");
-    EXPECT_EQ(table.cells(0).back(), "held-out runs nearby are off by 25 %");
+    expect_in(table.cells(0).back(), "held-out runs nearby are off by 25 %; the error may be"); // and by how much
     EXPECT_NEAR(table.column("held_out_error")[1], 0.25, 1e-12);
   }
 

@@ -1,3 +1,4 @@
+#include <datasets/reduced/held_out_error.h>
 #include <datasets/system/error.h>
 #include <rom/sweep/sweep.h>
 #include <tests/rom/example_model.h>
@@ -62,6 +63,33 @@ namespace swimtwin
       return rest;
     }());
     EXPECT_NEAR(result.periodic_displacement_m, orbit.displacement_m(0.), 1e-3 * std::abs(orbit.displacement_m(0.)));
+  }
+
+  TEST_F(Sweeps, StateWithinWhatTheFullOrderModelIsByHeldOutRunsAndHalfFits)
+  {
+    SweepAxes axes;
+    axes.frequency_Hz        = {1.1};
+    ReducedModel      halved = model;
+    const SweepResult before = sweep(halved, axes, options).front();
+    EXPECT_EQ(before.fit_change_m, 0.);
+    EXPECT_EQ(before.error_95_m, error_bound_m(model.record, {before.displacement_m, 0.}));
+    EXPECT_EQ(before.trust.bound, "");
+
+    const Eigen::MatrixXd &c    = model.resistance.coefficients;
+    halved.resistance.half_fits = {.9 * c, 1.1 * c};
+    const auto with             = [&](const Eigen::MatrixXd &coefficients) {
+      ReducedModel other            = model;
+      other.resistance.coefficients = coefficients;
+      return sweep(other, axes, options).front().displacement_m;
+    };
+    const SweepResult result = sweep(halved, axes, options).front();
+    EXPECT_EQ(result.displacement_m, before.displacement_m);
+    EXPECT_EQ(result.fit_change_m, .5 * std::abs(with(.9 * c) - with(1.1 * c)));
+    EXPECT_GT(result.error_95_m, before.error_95_m);
+    halved.resistance.half_fits = {.2 * c, 1.8 * c};
+    EXPECT_NE(sweep(halved, axes, options).front().trust.text().find("% (95 %)"), std::string::npos);
+    halved.record.held_out_runs.clear();
+    EXPECT_TRUE(std::isnan(sweep(halved, axes, options).front().error_95_m));
   }
 
   TEST_F(Sweeps, AreTheSameToTheLastBitForAnyNumberOfThreads)
