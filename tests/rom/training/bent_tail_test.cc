@@ -110,31 +110,6 @@ namespace swimtwin
     EXPECT_NEAR(energy.value(q)[0], at.energy_m2, 1e-4 * at.energy_m2);
   }
 
-  // Their shapes are a thousandth of the others' and must not drown in round-off of those.
-  TEST(BentTail, OfCoordinatesThatHardlyMoveHasIndependentTangents)
-  {
-    BentBody body("st-venant-kirchhoff");
-    body.coordinates.choose_modes(Eigen::MatrixXd(2 * body.swimmer.tail().mesh.n_nodes(), 0), 4);
-    const double    L = body.coordinates.length_m();
-    Eigen::MatrixXd seen(4, 60);
-    for (int k = 0; k < 60; ++k)
-      seen.col(k) << .15 * L * std::cos(.105 * k), .04 * L * std::sin(.105 * k), 1e-3 * L * std::cos(.21 * k),
-          3e-4 * L * std::sin(.315 * k);
-    TailBasis basis;
-    basis.bent = std::make_shared<const BentTail>(
-        fit_bent_tail(body.swimmer, body.space, body.coordinates, seen, MPI_COMM_WORLD));
-    EXPECT_LE(basis.bent->shape_error, 1e-4);
-    const Eigen::MatrixXd overlap = basis.bent->modes.transpose() * body.space.mean_product * basis.bent->modes;
-    EXPECT_LE((overlap - Eigen::MatrixXd::Identity(overlap.rows(), overlap.cols())).cwiseAbs().maxCoeff(), 1e-9);
-    // Each tangent moves its own coordinate and no other.
-    const Eigen::MatrixXd tangent = basis.tangent(Eigen::VectorXd::Zero(4));
-    for (int k = 0; k < 4; ++k)
-    {
-      const Eigen::VectorXd moved = body.coordinates.of(1e-3 * L * tangent.col(k)) / (1e-3 * L);
-      EXPECT_LE((moved - Eigen::VectorXd::Unit(4, k)).norm(), .05) << k;
-    }
-  }
-
   INSTANTIATE_TEST_SUITE_P(Laws, BentTails, ::testing::Values("st-venant-kirchhoff", "neo-hookean"),
                            [](const auto &instance) {
                              return instance.index == 0 ? "StVenantKirchhoff" : "NeoHookean";
