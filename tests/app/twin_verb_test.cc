@@ -129,7 +129,7 @@ namespace swimtwin
     }
     int shell(const std::string &commands) const
     {
-      return std::system(("cd " + folder.path.string() + " && " + commands).c_str());
+      return std::system(("cd " + folder.path.string() + "; " + commands).c_str());
     }
     void expect_steered() const
     {
