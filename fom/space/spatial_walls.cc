@@ -2,6 +2,7 @@
 #include <fom/space/spatial_walls.h>
 
 #include <algorithm>
+#include <limits>
 #include <numbers>
 
 namespace swimtwin
@@ -113,7 +114,7 @@ namespace swimtwin
       const double x = center[0], R = domain.radius_m;
       // Sizes differ around the axis where the swimmer is off it: the smallest counts.
       Meridian     meridian{{}, [&](const Point<2> &xr) {
-                          double smallest = size(Point<3>(xr[0], center[1], 0.));
+                          double smallest = std::numeric_limits<double>::infinity();
                           for (int k = 0; k <= 4; ++k)
                           {
                             const double angle = std::numbers::pi * k / 4;

