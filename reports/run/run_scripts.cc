@@ -143,8 +143,10 @@ set yrange [y_min:y_max]
 set zrange [z_min:z_max]
 set border 15 lw 0.8 lc rgb pale_color
 set grid x y lt 1 lw 0.6 lc rgb pale_color
-set xtics font ',14' offset 0,-0.3
-set ytics font ',14' offset 0.3,0
+decade(width) = 10**floor(log10(width))
+spacing(width) = decade(width) * (width < 2*decade(width) ? 0.5 : width < 5*decade(width) ? 1 : 2)
+set xtics spacing(x_max - x_min) font ',14' offset 0,-0.3
+set ytics spacing(y_max - y_min) font ',14' offset 0.3,0
 unset ztics
 unset key
 unset colorbox
@@ -158,8 +160,8 @@ do for [k=1:words(instants)] {
   set tmargin at screen 0.86 - 0.42*row
   set bmargin at screen 0.46 - 0.42*row
   set label 5 word(instants, k).' '.instant_unit at screen 0.04 + 0.49*column, screen 0.83 - 0.42*row font ',17' tc rgb text_color
-  set xlabel 'x (mm)' font ',15'
-  set ylabel 'y (mm)' font ',15'
+  set xlabel 'x (mm)' font ',15' offset 0,-1
+  set ylabel 'y (mm)' font ',15' offset 1.5,0
   if (has_tail) {
     splot data index n_blocks*(k-1) using 1:2:3 with polygons fs solid 1 fc rgb tail_color, \
           data index n_blocks*(k-1)+1 using 1:2:3 with polygons fs solid 1 fc rgb head_color
