@@ -36,7 +36,9 @@ namespace swimtwin
 
     std::string alarm_text(const TwinRecord &record)
     {
-      return record.alarms.empty() ? "no alarm" : fmt::format("{} alarms (dashed)", record.alarms.size());
+      return record.alarms.empty()
+                 ? "no alarm"
+                 : fmt::format("{} {} (dashed)", record.alarms.size(), record.alarms.size() == 1 ? "alarm" : "alarms");
     }
 
     std::string label(const TwinParameterName &p)
