@@ -1,7 +1,7 @@
 #include <bench/battery/exact_motion.h>
 
 #include <datasets/system/error.h>
-#include <fom/body/nodal_vector.h>
+#include <fom/elastic/nodal_vector.h>
 #include <fom/resistance/motion_resistance.h>
 
 #include <fmt/format.h>

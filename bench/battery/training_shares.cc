@@ -7,7 +7,7 @@
 
 #include <datasets/run/run_summary_json.h>
 #include <datasets/system/error.h>
-#include <fom/body/nodal_vector.h>
+#include <fom/elastic/nodal_vector.h>
 #include <fom/run/run_recorder.h>
 #include <rom/swimmer/dense_algebra.h>
 #include <rom/training/bent_tail.h>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <datasets/scene/scene.h>
-#include <fom/body/elastic_tail.h>
+#include <fom/elastic/elastic_tail.h>
 #include <fom/geometry/rigid_pose.h>
 #include <fom/mesh/body_mesh.h>
 

@@ -1,7 +1,7 @@
 // The elastic tail alone, clamped to its head and loaded at its nodes: the structure's part of a partitioned coupling.
 #pragma once
 
-#include <fom/algebra/condensation.h>
+#include <fom/unknowns/condensation.h>
 #include <fom/body/swimmer.h>
 
 namespace swimtwin

@@ -1,7 +1,7 @@
 // The tail's rows in a motion map.
 #pragma once
 
-#include <fom/algebra/motion_map.h>
+#include <fom/unknowns/motion_map.h>
 #include <fom/body/swimmer.h>
 
 namespace swimtwin

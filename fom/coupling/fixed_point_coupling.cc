@@ -1,6 +1,6 @@
 #include <fom/coupling/fixed_point_coupling.h>
 
-#include <fom/body/nodal_vector.h>
+#include <fom/elastic/nodal_vector.h>
 
 #include <fom/algebra/cpu_time.h>
 

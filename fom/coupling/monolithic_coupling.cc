@@ -2,7 +2,7 @@
 
 #include <datasets/system/error.h>
 #include <fom/algebra/cpu_time.h>
-#include <fom/body/nodal_vector.h>
+#include <fom/elastic/nodal_vector.h>
 
 #include <algorithm>
 

@@ -4,8 +4,8 @@
 
 #include <datasets/scene/inertia_terms.h>
 #include <fom/algebra/bdf2.h>
-#include <fom/algebra/condensation.h>
-#include <fom/algebra/mirror_pairs.h>
+#include <fom/unknowns/condensation.h>
+#include <fom/unknowns/mirror_pairs.h>
 #include <fom/fluid/fluid_inertia.h>
 #include <fom/fluid/fluid_motion.h>
 #include <fom/fluid/mesh_motion.h>

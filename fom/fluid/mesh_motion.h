@@ -2,8 +2,8 @@
 #pragma once
 
 #include <datasets/scene/scene.h>
-#include <fom/algebra/condensation.h>
-#include <fom/algebra/mirror_pairs.h>
+#include <fom/unknowns/condensation.h>
+#include <fom/unknowns/mirror_pairs.h>
 #include <fom/geometry/simplex_mesh.h>
 
 #include <memory>

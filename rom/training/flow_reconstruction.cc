@@ -1,6 +1,6 @@
 #include <rom/training/flow_reconstruction.h>
 
-#include <fom/body/nodal_vector.h>
+#include <fom/elastic/nodal_vector.h>
 #include <datasets/system/error.h>
 #include <fom/body/mesh_around.h>
 #include <fom/resistance/motion_resistance.h>

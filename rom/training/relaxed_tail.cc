@@ -1,6 +1,6 @@
 #include <rom/training/relaxed_tail.h>
 
-#include <fom/body/nodal_vector.h>
+#include <fom/elastic/nodal_vector.h>
 #include <rom/swimmer/dense_algebra.h>
 
 #include <cmath>

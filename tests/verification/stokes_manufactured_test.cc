@@ -1,5 +1,5 @@
 // Stokes flow with a known solution between two circles or spheres, on curved quadratic elements.
-#include <fom/algebra/condensation.h>
+#include <fom/unknowns/condensation.h>
 #include <fom/body/mesh_around.h>
 #include <fom/fluid/stokes.h>
 #include <tests/fom/shipped_scene.h>

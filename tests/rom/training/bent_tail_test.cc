@@ -1,6 +1,6 @@
 #include <rom/training/bent_tail.h>
 
-#include <fom/body/nodal_vector.h>
+#include <fom/elastic/nodal_vector.h>
 #include <fom/run/run_recorder.h>
 #include <rom/training/relaxed_tail.h>
 #include <tests/fom/shipped_scene.h>

@@ -1,6 +1,6 @@
 #include <rom/training/strain_grams.h>
 
-#include <fom/body/nodal_vector.h>
+#include <fom/elastic/nodal_vector.h>
 #include <fom/run/run_recorder.h>
 #include <rom/training/basis_builder.h>
 #include <rom/training/shape_sampler.h>

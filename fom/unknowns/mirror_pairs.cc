@@ -1,4 +1,4 @@
-#include <fom/algebra/mirror_pairs.h>
+#include <fom/unknowns/mirror_pairs.h>
 
 #include <algorithm>
 

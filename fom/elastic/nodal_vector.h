@@ -1,7 +1,7 @@
 // Nodal fields as vectors, components together, and back.
 #pragma once
 
-#include <fom/body/elastic_tail.h>
+#include <fom/elastic/elastic_tail.h>
 
 #include <Eigen/Dense>
 

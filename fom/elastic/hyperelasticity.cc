@@ -1,4 +1,4 @@
-#include <fom/body/hyperelasticity.h>
+#include <fom/elastic/hyperelasticity.h>
 
 #include <cmath>
 #include <limits>

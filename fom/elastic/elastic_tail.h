@@ -1,7 +1,7 @@
 // The elastic tail: internal forces, their tangent, energy, mass and dead loads on its Lagrangian mesh.
 #pragma once
 
-#include <fom/body/hyperelasticity.h>
+#include <fom/elastic/hyperelasticity.h>
 #include <fom/geometry/isoparametric_cell.h>
 
 #include <memory>

@@ -1,4 +1,4 @@
-#include <fom/algebra/motion_map.h>
+#include <fom/unknowns/motion_map.h>
 
 #include <tests/fom/random_tensors.h>
 

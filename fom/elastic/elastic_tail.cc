@@ -1,4 +1,4 @@
-#include <fom/body/elastic_tail.h>
+#include <fom/elastic/elastic_tail.h>
 
 namespace swimtwin
 {

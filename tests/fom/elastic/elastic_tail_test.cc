@@ -1,4 +1,4 @@
-#include <fom/body/elastic_tail.h>
+#include <fom/elastic/elastic_tail.h>
 
 #include <fom/body/swimmer.h>
 #include <fom/mesh/swimmer_outline.h>

@@ -1,4 +1,4 @@
-#include <fom/algebra/condensation.h>
+#include <fom/unknowns/condensation.h>
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include <fom/body/hyperelasticity.h>
+#include <fom/elastic/hyperelasticity.h>
 
 #include <tests/fom/random_tensors.h>
 

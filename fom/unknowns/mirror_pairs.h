@@ -1,7 +1,7 @@
 // Meshes that are their own mirror images: which node is whose image, and what that ties together.
 #pragma once
 
-#include <fom/algebra/motion_map.h>
+#include <fom/unknowns/motion_map.h>
 #include <fom/geometry/simplex_mesh.h>
 
 namespace swimtwin

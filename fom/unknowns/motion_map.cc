@@ -1,4 +1,4 @@
-#include <fom/algebra/motion_map.h>
+#include <fom/unknowns/motion_map.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>

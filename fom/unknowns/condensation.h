@@ -2,7 +2,7 @@
 #pragma once
 
 #include <fom/algebra/linear_system.h>
-#include <fom/algebra/motion_map.h>
+#include <fom/unknowns/motion_map.h>
 
 namespace swimtwin
 {
