@@ -5,6 +5,7 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <exception>
 #include <fcntl.h>
 #include <sstream>
 #include <sys/mman.h>
@@ -87,6 +88,7 @@ namespace swimtwin
     {
       static const bool watched = std::atexit(end_of_process) == 0 && std::signal(SIGABRT, on_abort) != SIG_ERR;
       static_cast<void>(watched);
+      std::set_terminate([] { std::abort(); }); // without the lines of the C++ library before our sentence
     }
 
     /// A folder to go back to, if the present one has no name any more: libraries insist on one.

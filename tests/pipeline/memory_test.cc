@@ -66,7 +66,7 @@ namespace swimtwin
     if (sanitized)
       GTEST_SKIP() << "a sanitizer takes all address space for itself";
     const TemporaryFolder folder;
-    const Outcome outcome = simulate_within("-v 780000", {"reference-3d-paper", {"variant=quick"}}, folder.path);
+    const Outcome outcome = simulate_within("-v 950000", {"reference-3d-paper", {"variant=quick"}}, folder.path);
     expect_failure(outcome, 1, {"too little memory", "unknowns needs about"});
     std::smatch      found;
     const std::regex numbers("a system of ([0-9]+) unknowns needs about ([0-9]+) MB");
