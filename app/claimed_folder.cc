@@ -3,6 +3,7 @@
 #include <app/ranks.h>
 #include <app/shipped_files.h>
 #include <app/written_files.h>
+#include <datasets/surface/closed_surface.h>
 #include <datasets/system/console.h>
 #include <datasets/system/error.h>
 
@@ -55,7 +56,11 @@ namespace swimtwin
 
   std::vector<std::filesystem::path> files_of(const CommonOptions &common, const Scene &scene)
   {
-    return {find_scene(common.scene), scene.field.file};
+    std::vector<std::filesystem::path> files{find_scene(common.scene), scene.field.file};
+    for (const auto &surface : {scene.head.surface, scene.domain ? scene.domain->surface : nullptr})
+      if (surface)
+        files.push_back(surface->file);
+    return files;
   }
 
   OutputRequest output_request(const CommonOptions &common, const WrittenFiles &files,

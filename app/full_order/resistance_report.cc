@@ -19,15 +19,30 @@ namespace swimtwin
 {
   namespace
   {
+    /// What the matrix's rows and columns are: all rigid motions, or in space those in the plane of a half domain.
+    template <int dim>
+    std::vector<std::string> order_of(const ResistanceResult<dim> &result)
+    {
+      if (dim == 2)
+        return {"Ux", "Uy", "omega"};
+      if (result.matrix.m() == 3)
+        return {"Ux", "Uy", "omega_z"};
+      return {"Ux", "Uy", "Uz", "omega_x", "omega_y", "omega_z"};
+    }
+
     template <int dim>
     nlohmann::ordered_json to_json(const ResistanceResult<dim> &result, const Scene &scene,
                                    const std::string &command_line, const double wall_time_s)
     {
       nlohmann::ordered_json json;
       json["matrix"] = nlohmann::ordered_json::array();
-      for (int i = 0; i < 3; ++i)
-        json["matrix"].push_back({result.matrix(i, 0), result.matrix(i, 1), result.matrix(i, 2)});
-      json["order"]       = {"Ux", "Uy", dim == 2 ? "omega" : "omega_z"};
+      for (unsigned int i = 0; i < result.matrix.m(); ++i)
+      {
+        auto &row = json["matrix"].emplace_back(nlohmann::ordered_json::array());
+        for (unsigned int j = 0; j < result.matrix.n(); ++j)
+          row.push_back(result.matrix(i, j));
+      }
+      json["order"]       = order_of(result);
       json["units"]       = dim == 2
                                 ? "force and torque of the body on the fluid per unit depth: Pa s, Pa s m, Pa s m^2; torque "
                                   "about the head's centre"
@@ -50,10 +65,21 @@ namespace swimtwin
     {
       say("Resistance of the body at rest{} ({} unknowns, asymmetry {:.1e})\n", dim == 2 ? ", per unit depth" : "",
           result.n_unknowns, result.asymmetry);
-      say("  {:>16} {:>16} {:>16}\n", "Ux", "Uy", "omega");
-      const char *const rows[] = {"Fx", "Fy", "T "};
-      for (int i = 0; i < 3; ++i)
-        say("{} {:16.8e} {:16.8e} {:16.8e}\n", rows[i], result.matrix(i, 0), result.matrix(i, 1), result.matrix(i, 2));
+      const bool               is_whole = result.matrix.m() == 6;
+      std::vector<std::string> rows{"Fx", "Fy", "T "};
+      std::string              head = " ";
+      if (is_whole)
+        rows = {"Fx", "Fy", "Fz", "Tx", "Ty", "Tz"};
+      for (const std::string &name : is_whole ? order_of(result) : std::vector<std::string>{"Ux", "Uy", "omega"})
+        head += fmt::format(" {:>16}", name);
+      say("{}\n", head);
+      for (unsigned int i = 0; i < rows.size(); ++i)
+      {
+        std::string row = rows[i];
+        for (unsigned int j = 0; j < rows.size(); ++j)
+          row += fmt::format(" {:16.8e}", result.matrix(i, j));
+        say("{}\n", row);
+      }
     }
 
     template <int dim>

@@ -119,6 +119,10 @@ namespace swimtwin
 
   MirrorPlane find_mirror_plane(const Scene &scene)
   {
+    if (scene.head.surface)
+      return {"the body is read from a surface", {}};
+    if (scene.domain && scene.domain->surface)
+      return {"the walls are read from a surface", {}};
     if (scene.dimension == 3) // z = 0: bodies of revolution in planar fields
       return {};
     MirrorPlane plane{why_missing(scene), {}};

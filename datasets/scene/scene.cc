@@ -1,6 +1,7 @@
 #include <datasets/scene/scene.h>
 
 #include <datasets/scene/tail_outline.h>
+#include <datasets/surface/closed_surface.h>
 
 #include <cmath>
 #include <algorithm>
@@ -16,6 +17,8 @@ namespace swimtwin
 
   double Head::volume(const int dimension) const
   {
+    if (enclosed)
+      return enclosed->volume_m3;
     // An ellipse turned about x fills two thirds of the cylinder around it, a rectangle all of it.
     const double cylinder = 0.25 * std::numbers::pi * size_m[0] * size_m[1] * size_m[1];
     return dimension == 2 ? area_m2() : shape == HeadShape::rectangle ? cylinder : cylinder * 2. / 3.;
@@ -23,6 +26,8 @@ namespace swimtwin
 
   double Head::second_moment(const int dimension) const
   {
+    if (enclosed)
+      return enclosed->second_moment_m5(0, 0) + enclosed->second_moment_m5(1, 1);
     const double xx = size_m[0] * size_m[0], yy = size_m[1] * size_m[1];
     if (dimension == 2)
       return area_m2() * (xx + yy) / (shape == HeadShape::rectangle ? 12. : 16.);
@@ -53,6 +58,8 @@ namespace swimtwin
 
   double Scene::body_length_m() const
   {
+    if (head.surface)
+      return std::max(head.size_m[0], head.size_m[1]);
     return head.size_m[0] + (tail ? tail->length_m : 0.);
   }
 } // namespace swimtwin

@@ -6,6 +6,7 @@
 #include <array>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,12 +14,15 @@
 
 namespace swimtwin
 {
-  enum class HeadShape { rectangle, disc, ellipse };
+  struct ClosedSurface; // datasets/surface/closed_surface.h
+  struct EnclosedVolume;
+
+  enum class HeadShape { rectangle, disc, ellipse, surface };
   enum class TipShape { rounded, flat };
   enum class TailSection { circular, rectangular };
   enum class HeadMotion { free, fixed, prescribed };
   enum class MaterialModel { st_venant_kirchhoff, neo_hookean, rigid, prescribed };
-  enum class DomainShape { box, channel, disc, annulus, cylinder, sphere };
+  enum class DomainShape { box, channel, disc, annulus, cylinder, sphere, surface };
   enum class WallCondition { no_slip, traction_free, moving_wall, inflow, shear_flow };
   enum class InflowProfile { parabolic, uniform };
   enum class Inertia { automatic, none, full, chosen };
@@ -61,7 +65,7 @@ namespace swimtwin
   };
 
   /// Fluid domain around the swimmer. Walls: left, right, bottom, top (box, channel); outer (disc); outer, inner
-  /// (annulus).
+  /// (annulus). One that is read from a surface has the walls that its file names, and the extent of all as its sizes.
   struct Domain
   {
     DomainShape           shape              = DomainShape::box;
@@ -71,7 +75,8 @@ namespace swimtwin
     double                radius_m           = 0.;       ///< disc and annulus: outer radius; cylinder, sphere
     double                inner_radius_m     = 0.;       ///< annulus; its inner circle shares the centre
     bool                  moves_with_swimmer = false;    ///< disc and sphere: it keeps its place relative to the head
-    std::map<std::string, Wall> walls; ///< complete after reading: every wall of the shape has its entry
+    std::shared_ptr<const ClosedSurface> surface;        ///< in the laboratory (m), of the shape `surface` in space
+    std::map<std::string, Wall>          walls; ///< complete after reading: every wall of the shape has its entry
 
     /// Whether the fluid can leave or enter freely somewhere, which also fixes the pressure's level.
     bool has_traction_free_wall() const;
@@ -86,7 +91,8 @@ namespace swimtwin
     double                phase_rad    = 0.;
   };
 
-  /// Rigid head; `size_m` is its full extent along x and y at rest (a disc's two diameters are equal).
+  /// Rigid head; `size_m` is its full extent along x and y at rest (a disc's two diameters are equal). One that is read
+  /// from a surface has the larger of its extents along y and z there.
   struct Head
   {
     HeadShape             shape             = HeadShape::rectangle;
@@ -97,6 +103,9 @@ namespace swimtwin
     double                magnetization_A_m = 0.;
     HeadMotion            motion            = HeadMotion::free;
     HeadOscillation       oscillation; ///< of a prescribed motion
+    /// Of the shape `surface`, in space: in the head's frame (m), whose origin is the centre of its volume.
+    std::shared_ptr<const ClosedSurface>  surface;
+    std::shared_ptr<const EnclosedVolume> enclosed;
 
     /// Whether forces move it.
     bool is_free() const { return motion == HeadMotion::free; }
@@ -221,16 +230,21 @@ namespace swimtwin
     Numerics                       numerics;
     OutputSettings                 output;
 
-    std::string text; ///< the TOML after overrides and the field program's digest, as solved: written into every output
+    /// The TOML after overrides and the digests of the field program and of surfaces, as solved: written into every
+    /// output.
+    std::string text;
     std::string hash; ///< SHA-256 (or an equivalent digest) of `text`, hexadecimal
 
-    /// Length (m) of head and tail at rest along x: the body length of every tolerance.
+    /// Length (m) of head and tail at rest along x: the body length of every tolerance. Of a body that is read from a
+    /// surface the largest extent.
     double body_length_m() const;
+    /// Whether the body, or walls, are read from a surface: nothing is then known to be its own mirror image.
+    bool has_surfaces() const { return head.surface || (domain && domain->surface); }
   };
 
   /// Read and validate a scene file, after applying overrides of the form "key.path=value" (`--set`). Throws InputError
   /// with file, line, key, value, unit, rule and remedy, and the nearest known name for an unknown key.
-  /// Relative paths of field programs are relative to the scene file.
+  /// Relative paths of field programs and surfaces are relative to the scene file.
   Scene read_scene(const std::filesystem::path &file, const std::vector<std::string> &overrides = {});
   /// The same from text; `name` stands in for the file in messages.
   Scene parse_scene(std::string_view text, const std::string &name, const std::vector<std::string> &overrides = {});

@@ -4,6 +4,7 @@
 #include <datasets/scene/scene.h>
 
 #include <array>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -21,13 +22,18 @@ namespace swimtwin
   };
 
   /// The same shapes turned about x: what a head is called in three dimensions.
-  inline constexpr std::array<std::pair<std::string_view, HeadShape>, 3> head_shapes_in_space{
-      {{"cylinder", HeadShape::rectangle}, {"sphere", HeadShape::disc}, {"ellipsoid", HeadShape::ellipse}}};
+  inline constexpr std::array<std::pair<std::string_view, HeadShape>, 4> head_shapes_in_space{
+      {{"cylinder", HeadShape::rectangle},
+       {"sphere", HeadShape::disc},
+       {"ellipsoid", HeadShape::ellipse},
+       {"surface", HeadShape::surface}}};
 
   /// What the scenes of a dimension call the shapes of a head.
-  inline const auto &head_shapes(const int dimension)
+  inline std::span<const std::pair<std::string_view, HeadShape>> head_shapes(const int dimension)
   {
-    return dimension == 3 ? head_shapes_in_space : Names<HeadShape>::list;
+    if (dimension == 3)
+      return head_shapes_in_space;
+    return Names<HeadShape>::list;
   }
   inline std::string_view name_of(const HeadShape shape, const int dimension)
   {
@@ -43,11 +49,12 @@ namespace swimtwin
        {"channel", DomainShape::channel},
        {"disc", DomainShape::disc},
        {"annulus", DomainShape::annulus}}};
-  inline constexpr std::array<std::pair<std::string_view, DomainShape>, 4> domain_shapes_in_space{
+  inline constexpr std::array<std::pair<std::string_view, DomainShape>, 5> domain_shapes_in_space{
       {{"box", DomainShape::box},
        {"channel", DomainShape::channel},
        {"cylinder", DomainShape::cylinder},
-       {"sphere", DomainShape::sphere}}};
+       {"sphere", DomainShape::sphere},
+       {"surface", DomainShape::surface}}};
 
   template <>
   struct Names<TipShape>
@@ -76,12 +83,13 @@ namespace swimtwin
   template <>
   struct Names<DomainShape>
   {
-    static constexpr std::array<std::pair<std::string_view, DomainShape>, 6> list{{{"box", DomainShape::box},
+    static constexpr std::array<std::pair<std::string_view, DomainShape>, 7> list{{{"box", DomainShape::box},
                                                                                    {"channel", DomainShape::channel},
                                                                                    {"disc", DomainShape::disc},
                                                                                    {"annulus", DomainShape::annulus},
                                                                                    {"cylinder", DomainShape::cylinder},
-                                                                                   {"sphere", DomainShape::sphere}}};
+                                                                                   {"sphere", DomainShape::sphere},
+                                                                                   {"surface", DomainShape::surface}}};
   };
 
   template <>

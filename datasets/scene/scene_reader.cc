@@ -5,6 +5,8 @@
 #include <datasets/scene/scene.h>
 #include <datasets/scene/scene_names.h>
 #include <datasets/scene/scene_rules.h>
+#include <datasets/scene/scene_surfaces.h>
+#include <datasets/surface/closed_surface.h>
 #include <datasets/text/text_decoding.h>
 #include <datasets/text/toml_table.h>
 
@@ -75,8 +77,11 @@ namespace swimtwin
       return table.present() ? std::optional(fluid) : std::nullopt;
     }
 
-    std::vector<std::string> wall_names(const DomainShape shape, const int dimension)
+    std::vector<std::string> wall_names(const Domain &domain, const int dimension)
     {
+      const DomainShape shape = domain.shape;
+      if (domain.surface)
+        return domain.surface->patches;
       if (shape == DomainShape::sphere)
         return {"outer"};
       if (shape == DomainShape::cylinder)
@@ -116,13 +121,13 @@ namespace swimtwin
       table.finish();
     }
 
-    std::map<std::string, Wall> read_walls(const TomlDocument &document, const DomainShape shape, const int dimension)
+    std::map<std::string, Wall> read_walls(const TomlDocument &document, const Domain &domain, const int dimension)
     {
       std::map<std::string, Wall> walls;
       TomlTable                   table(document, "domain.walls");
-      for (const std::string &name : wall_names(shape, dimension))
+      for (const std::string &name : wall_names(domain, dimension))
       {
-        walls[name] = default_wall(shape, name);
+        walls[name] = default_wall(domain.shape, name);
         read_wall(document, table, name, walls[name]);
       }
       table.finish();
@@ -134,8 +139,10 @@ namespace swimtwin
       TomlTable             table(document, "domain");
       Domain                domain;
       std::array<double, 3> size_m{0., 0., 0.};
-      table.choice("shape", Need::required, dimension == 3 ? domain_shapes_in_space : domain_shapes_in_plane,
-                   domain.shape);
+      if (dimension == 3)
+        table.choice("shape", Need::required, domain_shapes_in_space, domain.shape);
+      else
+        table.choice("shape", Need::required, domain_shapes_in_plane, domain.shape);
       table.pair("center_m", optional("m", any_number), domain.center_m);
       if (dimension == 3)
       {
@@ -148,6 +155,7 @@ namespace swimtwin
         table.pair("size_m", optional("m"), domain.size_m);
       table.number("radius_m", optional("m"), domain.radius_m);
       table.number("inner_radius_m", optional("m"), domain.inner_radius_m);
+      declare_surface(table);
       table.flag("moves_with_swimmer", domain.moves_with_swimmer);
       table.table("walls");
       table.finish();
@@ -188,6 +196,7 @@ namespace swimtwin
       table.choice("shape", Need::required, head_shapes(dimension), head.shape);
       table.pair("size_m", optional("m"), head.size_m);
       table.number("diameter_m", optional("m"), diameter_m);
+      declare_surface(table);
       table.pair("center_m", optional("m", any_number), head.center_m);
       table.number("angle_rad", optional("rad", any_number), head.angle_rad);
       table.number("density_kg_m3", optional("kg/m^3"), head.density_kg_m3);
@@ -354,14 +363,22 @@ namespace swimtwin
       return domain.size_z_m > 0. ? std::min(smallest, domain.size_z_m) : smallest;
     }
 
-    /// Mesh sizes of a scene that gives none: 60 elements along the body (20 in space), 4 times finer at corners
-    /// (twice), 8 across the domain.
-    void set_default_mesh_sizes(const Scene &scene, const TomlTable &table, Numerics &numerics)
+    void set_default_sizes_on_body(const Scene &scene, const TomlTable &table, Numerics &numerics)
     {
       if (!table.has("mesh_size_m"))
         numerics.mesh_size_m = scene.body_length_m() / (scene.dimension == 3 ? 20. : 60.);
       if (!table.has("mesh_size_corner_m"))
         numerics.mesh_size_corner_m = numerics.mesh_size_m / (scene.dimension == 3 ? 2. : 4.);
+    }
+
+    /// Mesh sizes of a scene that gives none: 60 elements along the body (20 in space), 4 times finer at corners
+    /// (twice), 8 across the domain. A body that is read from a surface has the sizes of its triangles.
+    void set_default_mesh_sizes(const Scene &scene, const TomlTable &table, Numerics &numerics)
+    {
+      if (scene.head.surface)
+        numerics.mesh_size_m = numerics.mesh_size_corner_m = triangle_sizes(*scene.head.surface).mean_edge_m;
+      else
+        set_default_sizes_on_body(scene, table, numerics);
       if (!table.has("mesh_size_far_m"))
         numerics.mesh_size_far_m =
             std::max(numerics.mesh_size_m, scene.domain ? smallest_extent_m(*scene.domain) / 8. : 0.);
@@ -431,8 +448,9 @@ namespace swimtwin
     scene.tail   = read_tail(document);
     check_shape_entries(document, scene);
     check_motion_entries(document, scene);
+    read_surfaces(document, std::filesystem::path(name).parent_path(), scene);
     if (scene.domain)
-      scene.domain->walls = read_walls(document, scene.domain->shape, scene.dimension);
+      scene.domain->walls = read_walls(document, *scene.domain, scene.dimension);
     scene.field    = read_field(document, std::filesystem::path(name).parent_path());
     scene.gravity  = read_gravity(document);
     scene.time     = read_time(document, driven_period_s(scene));

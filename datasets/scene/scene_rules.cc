@@ -2,6 +2,7 @@
 #include <datasets/scene/mirror_plane.h>
 #include <datasets/scene/scene_names.h>
 #include <datasets/scene/scene_rules.h>
+#include <datasets/scene/scene_surfaces.h>
 #include <datasets/scene/swimmer_clearance.h>
 #include <datasets/text/toml_document.h>
 
@@ -37,8 +38,46 @@ namespace swimtwin
         document.refuse(table, key, reason);
     }
 
+    /// Of [head] and [domain].
+    void check_surface_entries(const TomlDocument &document, const std::string &table, const bool is_surface,
+                               const std::string &shape)
+    {
+      if (is_surface)
+      {
+        need_entry(document, table, "surface",
+                   "the shape surface needs the file of a closed surface, .stl or .msh, relative to the scene");
+        return need_entry(document, table, "surface_unit_m",
+                          "the shape surface needs it: how many metres the file's unit of length is, 1e-3 for mm");
+      }
+      for (const char *key : {"surface", "surface_unit_m", "surface_sha256"})
+        refuse_entry(document, table, key,
+                     fmt::format("does not belong to the shape {}; remove it, or set shape = \"surface\".", shape));
+    }
+
+    /// The triangles of a body that is read from a surface are the mesh there, and nothing is joined to it.
+    void check_surface_head(const TomlDocument &document)
+    {
+      const std::string not_needed = "does not belong to the shape surface, which has its size; remove it.";
+      for (const char *key : {"size_m", "diameter_m"})
+        refuse_entry(document, "head", key, not_needed);
+      if (document.find("tail") != nullptr)
+        document.refuse(
+            "tail", "",
+            "does not go with a head that is read from a surface, which has no place to clamp it; remove it, "
+            "or give the head another shape.");
+      for (const char *key : {"mesh_size_m", "mesh_size_corner_m"})
+        refuse_entry(
+            document, "numerics", key,
+            "does not go with a body that is read from a surface, whose triangles are the mesh there; remove it, "
+            "and mesh the surface finer or coarser.");
+    }
+
     void check_head_entries(const TomlDocument &document, const Head &head, const int dimension)
     {
+      const bool is_surface = head.shape == HeadShape::surface;
+      check_surface_entries(document, "head", is_surface, std::string(name_of(head.shape, dimension)));
+      if (is_surface)
+        return check_surface_head(document);
       const bool        disc  = head.shape == HeadShape::disc;
       const std::string other = disc ? "size_m" : "diameter_m", needed = disc ? "diameter_m" : "size_m";
       const std::string shape(name_of(head.shape, dimension));
@@ -57,9 +96,11 @@ namespace swimtwin
         else
           refuse_entry(document, "domain", key, fmt::format("does not belong to the shape {}; remove it.", shape));
       };
+      const bool is_surface = domain.shape == DomainShape::surface;
+      check_surface_entries(document, "domain", is_surface, std::string(to_string(domain.shape)));
       check("size_m", straight);
       check("length_m", domain.shape == DomainShape::cylinder);
-      check("radius_m", !straight);
+      check("radius_m", !straight && !is_surface);
       check("inner_radius_m", annulus);
       if (annulus && domain.inner_radius_m >= domain.radius_m)
         document.refuse(
@@ -108,6 +149,14 @@ namespace swimtwin
             "planar so far: set it to zero.");
       if (scene.numerics.coupling == CouplingScheme::fixed_point)
         document.refuse("numerics", "coupling", "cannot be \"fixed-point\" in three dimensions; use \"monolithic\".");
+      if (const std::string reason = scene.head.is_free() && scene.has_surfaces() ? way_out_of_plane(scene) : "";
+          !reason.empty())
+        document.refuse(
+            "head", "motion",
+            fmt::format("{} \"free\", but {}, which drives the head out of the plane of motion, and in three "
+                        "dimensions motions are planar so far; set it to \"fixed\" or \"prescribed\" (the "
+                        "verb resistance moves the body anyway).",
+                        has(document, "head", "motion") ? "is" : "is by default", reason));
       if (scene.numerics.mirror_meshes)
         document.refuse("numerics", "mirror_meshes", "is for two dimensions; remove it.");
     }
@@ -173,6 +222,10 @@ namespace swimtwin
       if (inflow && !straight)
         document.refuse("domain.walls", name,
                         "cannot be an inflow; inflows need a straight wall of a box or a channel.");
+      if (wall.condition == WallCondition::moving_wall && domain.shape == DomainShape::surface)
+        document.refuse("domain.walls", name,
+                        "cannot be a moving wall where walls are read from a surface; use \"no-slip\", "
+                        "\"traction-free\" or \"shear-flow\".");
       if (wall.condition == WallCondition::shear_flow)
       {
         if (!has(document, path, "shear_rate_1_s"))

@@ -1,5 +1,9 @@
 #include <datasets/scene/swimmer_clearance.h>
 
+#include <datasets/scene/scene_surfaces.h>
+#include <datasets/surface/surface_crossings.h>
+#include <datasets/surface/surface_distance.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -127,6 +131,12 @@ namespace swimtwin
           points.push_back({x, y, 0.});
         return points;
       }
+      if (scene.head.surface)
+      {
+        for (const auto &x : surface_at_start(scene.head).nodes)
+          points.push_back({x[0], x[1], x[2]});
+        return points;
+      }
       constexpr int n_angles = 24; // of half a turn: what is farthest along y or z is among them
       const double  c = std::cos(scene.head.angle_rad), s = std::sin(scene.head.angle_rad);
       const auto    add = [&](const double x, const double y, const double z) {
@@ -143,6 +153,47 @@ namespace swimtwin
         for (const auto &[x, y] : outline_in_head_frame(scene))
           add(x, y, std::abs(x) > .5 * scene.head.size_m[0] ? .5 * scene.tail->width_m : 0.);
       return points;
+    }
+
+    /// How far walls and a body that are both read from surfaces go through each other (m); 0 if they do not.
+    double overlap(const ClosedSurface &walls, const ClosedSurface &body)
+    {
+      const auto found = crossings(body.nodes, flat_triangles(body.faces, body.is_curved), walls.nodes,
+                                   flat_triangles(walls.faces, walls.is_curved));
+      if (found.n_pairs == 0)
+        return 0.;
+      const SurfaceDistance to_walls(walls), to_body(body);
+      double                most = 1e-6 * extent(body.nodes).size().maxCoeff();
+      for (const auto &x : body.nodes)
+        if (!to_walls.encloses(x))
+          most = std::max(most, to_walls.to(x));
+      for (const auto &x : walls.nodes)
+        if (to_body.encloses(x))
+          most = std::max(most, to_body.to(x));
+      return most;
+    }
+
+    /// Of points of the body: all as to how near they are, some as to which side they are on.
+    Clearance clearance_in_surface(const Scene &scene)
+    {
+      constexpr std::size_t n_sides = 200;
+      const ClosedSurface  &walls   = *scene.domain->surface;
+      const auto            wall_at = [&](const unsigned int face) { return walls.patches[walls.patch_of_face[face]]; };
+      const SurfaceDistance distance(walls);
+      const std::vector<PointInSpace> points = surface_points(scene);
+      Clearance                       closest{"", std::numeric_limits<double>::infinity()};
+      std::size_t                     n_points = 0;
+      for (const auto &[x, y, z] : points)
+      {
+        const Eigen::Vector3d point(x, y, z);
+        const auto            near       = distance.nearest(point);
+        const bool            is_outside = n_points++ % (1 + points.size() / n_sides) == 0 && !distance.encloses(point);
+        if (const double d = is_outside ? -near.distance_m : near.distance_m; d < closest.distance_m)
+          closest = {wall_at(near.face), d};
+      }
+      if (const double through = scene.head.surface ? overlap(walls, surface_at_start(scene.head)) : 0.; through > 0.)
+        closest.distance_m = std::min(closest.distance_m, -through);
+      return closest;
     }
 
     /// The centre of an annulus lies in the fluid's hole: a body around it overlaps the hole although its outline may
@@ -173,7 +224,9 @@ namespace swimtwin
   Clearance swimmer_clearance(const Scene &scene)
   {
     const Domain &domain = *scene.domain;
-    Clearance     closest{"", std::numeric_limits<double>::infinity()};
+    if (domain.surface)
+      return clearance_in_surface(scene);
+    Clearance closest{"", std::numeric_limits<double>::infinity()};
     for (const PointInSpace &point : surface_points(scene))
       for (const Clearance &candidate : wall_distances(domain, point))
         if (candidate.distance_m < closest.distance_m)

@@ -1,6 +1,7 @@
 #include <fom/body/mesh_around.h>
 
 #include <datasets/scene/mirror_plane.h>
+#include <datasets/surface/closed_surface.h>
 #include <fom/body/finer_mesh.h>
 #include <fom/mesh/inverted_element.h>
 
@@ -24,16 +25,18 @@ namespace swimtwin
                   swimmer.pose_at_rest(), scene.numerics, communicator);
     }
 
-    /// Made by halves in any case; that it is its own image counts only where half of it is solved.
+    /// Made by halves in any case but around and within surfaces that are read; that it is its own image counts only
+    /// where half of it is solved.
     FluidMesh<3> make_mesh(const Swimmer<3> &swimmer, const Configuration<3> &configuration, const bool by_halves,
                            const MPI_Comm communicator)
     {
       const Domain  &domain = *swimmer.scene().domain;
       const Point<3> center(domain.center_m[0], domain.center_m[1], 0.);
       const auto moved = [&] { return configuration.pose.to_laboratory(swimmer.pose_at_rest().to_head_frame(center)); };
-      FluidMesh<3> mesh =
-          make_fluid_mesh(domain, swimmer.body(), swimmer.surface(configuration),
-                          domain.moves_with_swimmer ? moved() : center, swimmer.scene().numerics, communicator);
+      const auto make  = swimmer.scene().has_surfaces() ? make_whole_fluid_mesh
+                                                        : static_cast<decltype(&make_whole_fluid_mesh)>(make_fluid_mesh);
+      FluidMesh<3> mesh = make(domain, swimmer.body(), swimmer.surface(configuration),
+                               domain.moves_with_swimmer ? moved() : center, swimmer.scene().numerics, communicator);
       if (!by_halves)
         mesh.image_of_vertex.clear();
       return mesh;
@@ -56,6 +59,18 @@ namespace swimtwin
       throw InvertedElement(fmt::format("{}; lower [numerics] mesh_size_m = {} m", error.what(), numerics.mesh_size_m));
     }
 
+    [[noreturn]] void refuse_surfaces(const Scene &scene, const ComputationError &error)
+    {
+      std::vector<std::string> files;
+      for (const auto &surface : {scene.head.surface, scene.domain->surface})
+        if (surface)
+          files.push_back(surface->file.string());
+      throw InputError(fmt::format(
+          "{}: the fluid cannot be meshed with the triangles of {} ({}); mesh the surface anew, finer where it "
+          "is curved or close to another, and without slivers",
+          scene.name, fmt::join(files, " and "), error.what()));
+    }
+
     template <int dim>
     FluidMesh<dim> make_mesh_or_advise(const Swimmer<dim> &swimmer, const Configuration<dim> &configuration,
                                        const bool by_halves, const MPI_Comm communicator)
@@ -68,6 +83,8 @@ namespace swimtwin
       {
         if (!is_at_rest(swimmer, configuration))
           say_remedy(error, swimmer.scene().numerics);
+        if (swimmer.scene().has_surfaces())
+          refuse_surfaces(swimmer.scene(), error);
         refuse_mesh_size(swimmer.scene(), error, [&](const Scene &finer) {
           const Swimmer<dim>   body(finer, communicator);
           const FluidMesh<dim> mesh = make_mesh(body, body.configuration_at_rest(), by_halves, communicator);

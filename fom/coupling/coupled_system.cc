@@ -38,6 +38,8 @@ namespace swimtwin
     }
     if (solves_half(swimmer.scene()))
       describe_mirror();
+    else if (dim == 3 && swimmer.scene().has_surfaces()) // whose meshes are no mirror images, though they nearly are
+      map_.keep_head_to(motions_in_plane<dim>);
     std::vector<unsigned int> owner;
     for (unsigned int row = 0; row < n_fluid_rows_; ++row)
       owner.push_back(fluid_->row_owner(row));
@@ -154,7 +156,7 @@ namespace swimtwin
   void CoupledSystem<dim>::describe_mirror()
   {
     // In the plane: along the line that is left of it in 2D, and in the plane of x and y in 3D.
-    map_.keep_head_to(dim == 2 ? std::vector<int>{0} : std::vector<int>{0, 1, dim + rotation_about_z<dim>});
+    map_.keep_head_to(dim == 2 ? std::vector<int>{0} : motions_in_plane<dim>);
     if (tail_numbering_)
     {
       tail_pairs_ = MirrorPairs<dim>(swimmer_.tail().mesh, swimmer_.tail().image_of_vertex);

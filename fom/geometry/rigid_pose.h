@@ -5,6 +5,7 @@
 #include <deal.II/base/tensor.h>
 
 #include <cmath>
+#include <vector>
 
 namespace swimtwin
 {
@@ -38,6 +39,10 @@ namespace swimtwin
   /// The rotation of a motion in the plane of x and y, among `AngularVelocity`.
   template <int dim>
   constexpr int rotation_about_z = n_rotations<dim> - 1;
+
+  /// The velocities (translations, then rotations) of a motion in that plane.
+  template <int dim>
+  const std::vector<int> motions_in_plane{0, 1, dim + rotation_about_z<dim>};
 
   /// Position of the head's centre (m) and unwrapped angle (rad) of the head frame about z. In 3D, motions are planar;
   /// where they will not be, the attitude is a unit quaternion: everything else asks for rotation() and does not know.

@@ -17,7 +17,7 @@ namespace swimtwin
     std::vector<unsigned int>      vertices;     ///< surface nodes that are vertices
     std::unique_ptr<TailMesh<dim>> tail;         ///< none without a tail
 
-    // Of a body in space, which is its own mirror image at z = 0.
+    // Of a body in space that is its own mirror image at z = 0; else empty.
     std::vector<unsigned int> image;      ///< of every surface node
     std::vector<unsigned int> plane_loop; ///< surface nodes on the plane, a closed quadratic loop: vertex, middle, ...
   };

@@ -44,6 +44,11 @@ namespace swimtwin
   FluidMesh<3> make_fluid_mesh(const Domain &domain, const BodyMesh<3> &body, const std::vector<dealii::Point<3>> &x,
                                const dealii::Point<3> &center, const Numerics &numerics, MPI_Comm communicator);
 
+  /// The same where nothing is known of mirror images, meshed as a whole: walls or body are read from a surface.
+  FluidMesh<3> make_whole_fluid_mesh(const Domain &domain, const BodyMesh<3> &body,
+                                     const std::vector<dealii::Point<3>> &x, const dealii::Point<3> &center,
+                                     const Numerics &numerics, MPI_Comm communicator);
+
   /// A fluid mesh as plain data, to be written and made again node for node.
   template <int dim>
   struct FluidMeshRecord

@@ -17,23 +17,46 @@ namespace swimtwin
   {
     constexpr int three_node_triangle = 2, four_node_tetrahedron = 4;
 
-    /// Nodes get the tags 1, 2, ... in their order.
-    void add_surface(const TriangleSurface &surface, const double scale)
+    constexpr int outer_surface = 1, surface_of_holes = 2; ///< in gmsh
+
+    /// The triangles from `first` to before `last`, and their vertices, as one of gmsh's surfaces. Nodes get the tags
+    /// 1, 2, ... in their order.
+    void add_surface(const TriangleSurface &surface, const int entity, const std::size_t first, const std::size_t last,
+                     const double scale)
     {
-      gmsh::model::addDiscreteEntity(2, 1);
+      std::vector<char>        is_here(surface.vertices.size(), 0);
       std::vector<std::size_t> tags, corners;
       std::vector<double>      coordinates;
-      for (const auto &x : surface.vertices)
-      {
-        tags.push_back(tags.size() + 1);
-        for (int c = 0; c < 3; ++c)
-          coordinates.push_back(x[c] / scale);
-      }
-      for (const auto &triangle : surface.triangles)
-        for (const auto v : triangle)
+      for (std::size_t t = first; t < last; ++t)
+        for (const auto v : surface.triangles[t])
+        {
+          is_here[v] = 1;
           corners.push_back(v + 1);
-      gmsh::model::mesh::addNodes(2, 1, tags, coordinates);
-      gmsh::model::mesh::addElementsByType(1, three_node_triangle, {}, corners);
+        }
+      for (std::size_t v = 0; v < is_here.size(); ++v)
+        if (is_here[v])
+        {
+          tags.push_back(v + 1);
+          for (int c = 0; c < 3; ++c)
+            coordinates.push_back(surface.vertices[v][c] / scale);
+        }
+      gmsh::model::addDiscreteEntity(2, entity);
+      gmsh::model::mesh::addNodes(2, entity, tags, coordinates);
+      gmsh::model::mesh::addElementsByType(entity, three_node_triangle, {}, corners);
+    }
+
+    /// Returns the loops of surfaces that bound the region.
+    std::vector<int> add_boundary(const TriangleSurface &surface, const double scale)
+    {
+      const std::size_t n = surface.triangles.size(), n_outside = std::min(n, surface.first_of_hole);
+      add_surface(surface, outer_surface, 0, n_outside, scale);
+      std::vector<int> loops{gmsh::model::geo::addSurfaceLoop({outer_surface})};
+      if (surface.has_hole())
+      {
+        add_surface(surface, surface_of_holes, n_outside, n, scale);
+        loops.push_back(gmsh::model::geo::addSurfaceLoop({surface_of_holes}));
+      }
+      return loops;
     }
 
     SimplexSoup<3> read_mesh(const TriangleSurface &surface, const double scale)
@@ -98,8 +121,7 @@ namespace swimtwin
           refuse_open_surface(surface);
           begin_gmsh_model();
           const double scale = extent(surface.vertices);
-          add_surface(surface, scale);
-          gmsh::model::geo::addVolume({gmsh::model::geo::addSurfaceLoop({1})});
+          gmsh::model::geo::addVolume(add_boundary(surface, scale));
           gmsh::model::geo::synchronize();
           gmsh::model::mesh::setSizeCallback([&](int, int, const double x, const double y, const double z) {
             return size(Point<3>(scale * x, scale * y, scale * z)) / scale;

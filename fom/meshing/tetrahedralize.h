@@ -4,6 +4,7 @@
 #include <fom/geometry/simplex_mesh.h>
 
 #include <functional>
+#include <limits>
 
 namespace swimtwin
 {
@@ -14,6 +15,10 @@ namespace swimtwin
   {
     std::vector<dealii::Point<3>>            vertices;
     std::vector<std::array<unsigned int, 3>> triangles; ///< all outwards, or all inwards
+    /// From here on they bound holes, which are left empty; they share no vertex with those before.
+    std::size_t first_of_hole = std::numeric_limits<std::size_t>::max();
+
+    bool has_hole() const { return first_of_hole < triangles.size(); }
   };
 
   /// The surface is kept triangle for triangle, its vertices come first and unchanged. Collective: rank 0 meshes and

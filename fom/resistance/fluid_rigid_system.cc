@@ -19,7 +19,7 @@ namespace swimtwin
     if (dim == 3 && !fluid.fluid_mesh().image_of_vertex.empty())
     {
       fluid_.describe_mirror(map_);
-      motions_ = {0, 1, dim + rotation_about_z<dim>};
+      motions_ = motions_in_plane<dim>;
       map_.keep_head_to(motions_);
     }
     std::vector<unsigned int> owner;

@@ -11,8 +11,8 @@ namespace swimtwin
   struct ResistanceResult
   {
     /// Force and torque (about the head's centre) of the body on the fluid per velocity and angular velocity; order Ux,
-    /// Uy, omega (in 3D about z: bodies of revolution in their plane); SI, per unit depth in 2D (Pa s, Pa s m, Pa s
-    /// m^2).
+    /// Uy, omega; in 3D Ux, Uy, Uz and omega about x, y, z, or where half of the scene is solved Ux, Uy and omega about
+    /// z, the motions in its plane; SI, per unit depth in 2D (Pa s, Pa s m, Pa s m^2).
     dealii::FullMatrix<double> matrix;
     double                     asymmetry  = 0.; ///< largest |R_ij - R_ji| / sqrt(R_ii R_jj)
     unsigned int               n_unknowns = 0, n_cells = 0;

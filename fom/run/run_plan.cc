@@ -3,6 +3,7 @@
 #include <datasets/scene/dimensionless_groups.h>
 #include <datasets/scene/inertia_terms.h>
 #include <datasets/scene/mirror_plane.h>
+#include <datasets/surface/closed_surface.h>
 #include <fom/algebra/solver_memory.h>
 #include <fom/body/mesh_around.h>
 #include <fom/step/full_order_model.h>
@@ -241,6 +242,32 @@ namespace swimtwin
       else
         plan.solved.push_back({"both halves", "no mirror plane: " + plane.missing});
     }
+    void plan_surface(const std::string &whose, const ClosedSurface &surface, RunPlan &plan)
+    {
+      constexpr double    sliver = 0.05;
+      const TriangleSizes sizes  = triangle_sizes(surface);
+      const std::string   file   = surface.file.filename().string();
+      plan.numbers.push_back(
+          {whose + " surface",
+           fmt::format("{}: {} {} triangles, edges of {:.3g} m in the mean and {:.3g} m at most, worst quality {:.2g}; "
+                       "encloses {:.6g} m^3",
+                       file, surface.faces.size(), surface.is_curved ? "curved" : "straight", sizes.mean_edge_m,
+                       sizes.longest_edge_m, sizes.worst_quality, enclosed_volume(surface).volume_m3)});
+      if (sizes.worst_quality < sliver)
+        plan.warnings.push_back(fmt::format(
+            "{} has a triangle of quality {:.2g} (1: equilateral), and the mesh is made of its triangles: the "
+            "flow is inaccurate at slivers below {}; mesh the surface anew",
+            file, sizes.worst_quality, sliver));
+    }
+
+    void plan_surfaces(const Scene &scene, RunPlan &plan)
+    {
+      if (scene.head.surface)
+        plan_surface("body's", *scene.head.surface, plan);
+      if (scene.domain && scene.domain->surface)
+        plan_surface("walls'", *scene.domain->surface, plan);
+    }
+
     /// Mesh the scene at rest and count.
     template <int dim>
     void measure(const Scene &scene, const MPI_Comm communicator, RunPlan &plan)
@@ -275,6 +302,7 @@ namespace swimtwin
     plan_body(scene, plan);
     plan_mesh(scene, plan);
     plan_symmetry(scene, plan);
+    plan_surfaces(scene, plan);
     if (scene.output.fields_per_period == 0)
       plan.skipped.push_back({"field output", "[output] fields_per_period = 0"});
 

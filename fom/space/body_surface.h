@@ -2,6 +2,7 @@
 #pragma once
 
 #include <datasets/scene/scene.h>
+#include <fom/mesh/body_mesh.h>
 #include <fom/surface/revolved_surface.h>
 
 #include <optional>
@@ -30,6 +31,12 @@ namespace swimtwin
   BodySurface revolved_body(const Scene &scene, MPI_Comm communicator);
   /// A film behind a cylinder. Collective.
   BodySurface film_body(const Scene &scene, MPI_Comm communicator);
+
+  /// A rigid body whose surface is that, in the head's frame; no mirror image is known of it.
+  BodyMesh<3> body_of_surface(const ClosedSurface &surface);
+
+  /// From the faces: which nodes are vertices, and the mean length of the edges there.
+  void set_vertices_and_sizes(BodyMesh<3> &body);
 
   /// The two parts of the plane z = 0 inside a tail, between its axis and its trace there.
   void add_plane_patches(TailSurface &tail, const MeridianTrace &trace, double size_m, MPI_Comm communicator);

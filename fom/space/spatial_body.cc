@@ -150,28 +150,6 @@ namespace swimtwin
         }
       }
 
-      void set_vertices_and_sizes()
-      {
-        std::vector<double> sum(body_.surface.nodes.size(), 0.);
-        std::vector<int>    n(sum.size(), 0);
-        for (const auto &face : body_.surface.faces)
-          for (int v = 0; v < 3; ++v)
-          {
-            const unsigned int a = face[v], b = face[(v + 1) % 3];
-            const double       length = body_.surface.nodes[a].distance(body_.surface.nodes[b]);
-            sum[a] += length;
-            sum[b] += length;
-            ++n[a];
-            ++n[b];
-          }
-        for (unsigned int k = 0; k < sum.size(); ++k)
-          if (n[k] > 0)
-          {
-            body_.vertices.push_back(k);
-            body_.surface_size.push_back(sum[k] / n[k]);
-          }
-      }
-
       void set_tail_nodes(const TailSurface &tail)
       {
         body_.tail_node.assign(body_.surface.nodes.size(), -1);
@@ -227,9 +205,33 @@ namespace swimtwin
     };
   } // namespace
 
+  void set_vertices_and_sizes(BodyMesh<3> &body)
+  {
+    std::vector<double> sum(body.surface.nodes.size(), 0.);
+    std::vector<int>    n(sum.size(), 0);
+    for (const auto &face : body.surface.faces)
+      for (int v = 0; v < 3; ++v)
+      {
+        const unsigned int a = face[v], b = face[(v + 1) % 3];
+        const double       length = body.surface.nodes[a].distance(body.surface.nodes[b]);
+        sum[a] += length;
+        sum[b] += length;
+        ++n[a];
+        ++n[b];
+      }
+    for (unsigned int k = 0; k < sum.size(); ++k)
+      if (n[k] > 0)
+      {
+        body.vertices.push_back(k);
+        body.surface_size.push_back(sum[k] / n[k]);
+      }
+  }
+
   template <>
   BodyMesh<3> make_body_mesh<3>(const Scene &scene, const MPI_Comm communicator)
   {
+    if (scene.head.surface)
+      return body_of_surface(*scene.head.surface);
     const bool        is_film = scene.tail && scene.tail->section == TailSection::rectangular;
     const BodySurface surface = is_film ? film_body(scene, communicator) : revolved_body(scene, communicator);
     BodyMesh<3>       body;
@@ -238,7 +240,7 @@ namespace swimtwin
     const QuadraticSurface half = join(surface.head, surface.tail);
     WholeSurface           whole(half, body);
     whole.set_loop(surface.trace);
-    whole.set_vertices_and_sizes();
+    set_vertices_and_sizes(body);
     if (surface.tail)
       whole.set_tail_nodes(*surface.tail);
     else

@@ -1,11 +1,11 @@
 // The fluid around a body in space: meshed at z >= 0 and reflected.
-#include <fom/meshing/graded_size.h>
 #include <fom/geometry/reflection.h>
 #include <fom/mesh/fluid_mesh.h>
 #include <fom/mesh/inverted_element.h>
+#include <fom/space/names_of_walls.h>
+#include <fom/space/size_around.h>
 #include <fom/space/spatial_walls.h>
 #include <fom/space/untangling.h>
-#include <fom/mesh/wall_loop.h>
 
 namespace swimtwin
 {
@@ -14,14 +14,6 @@ namespace swimtwin
   namespace
   {
     constexpr int body_patch = 0, mirror_patch = 1;
-
-    SpatialSizeField size_around(const BodyMesh<3> &body, const std::vector<Point<3>> &x, const Numerics &numerics)
-    {
-      std::vector<std::pair<Point<3>, double>> prescribed;
-      for (unsigned int i = 0; i < body.vertices.size(); ++i)
-        prescribed.emplace_back(x[body.vertices[i]], body.surface_size[i]);
-      return graded_size(prescribed, numerics.mesh_growth, numerics.mesh_size_far_m);
-    }
 
     bool is_upper(const FaceNodes<3> &face, const std::vector<Point<3>> &at_rest)
     {
@@ -54,30 +46,6 @@ namespace swimtwin
           }
       return nodes;
     }
-
-    /// Names of a node's walls, the strongest condition first.
-    class NamesOfWalls
-    {
-    public:
-      NamesOfWalls(const Domain &domain, const unsigned int n_nodes) : domain_(domain), name_(n_nodes) {}
-
-      void add(const unsigned int node, const std::string &wall)
-      {
-        name_[node] = name_[node].empty() ? wall : stronger_wall(domain_, name_[node], wall);
-      }
-      std::vector<WallNode> nodes() const
-      {
-        std::vector<WallNode> nodes;
-        for (unsigned int node = 0; node < name_.size(); ++node)
-          if (!name_[node].empty())
-            nodes.push_back({node, &domain_.walls.at(name_[node]), name_[node]});
-        return nodes;
-      }
-
-    private:
-      const Domain            &domain_;
-      std::vector<std::string> name_;
-    };
 
     std::vector<WallNode> find_wall_nodes(const Domain &domain, const SimplexMesh<3> &mesh,
                                           const QuadraticSurface &half, const std::vector<unsigned int> &image,

@@ -3,6 +3,7 @@
 #include <fom/geometry/reflection.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace swimtwin
 {
@@ -17,6 +18,7 @@ namespace swimtwin
     class Untangling
     {
     public:
+      /// `image`: of every vertex; empty for a mesh that is no mirror image.
       Untangling(SimplexMesh<3> &mesh, const std::vector<unsigned int> &image) : mesh_(mesh), image_(image)
       {
         for (unsigned int c = 0; c < mesh.n_cells(); ++c)
@@ -68,10 +70,11 @@ namespace swimtwin
       {
         return element_quality(cell_positions<3>(mesh_.cells[c], mesh_.nodes));
       }
+      bool has_image() const { return !image_.empty(); }
       bool is_upper(const unsigned int c) const
       {
-        return std::all_of(mesh_.cells[c].begin(), mesh_.cells[c].begin() + 4,
-                           [&](const unsigned int v) { return mesh_.nodes[v][2] >= 0.; });
+        return !has_image() || std::all_of(mesh_.cells[c].begin(), mesh_.cells[c].begin() + 4,
+                                           [&](const unsigned int v) { return mesh_.nodes[v][2] >= 0.; });
       }
       double worst_around(const std::vector<unsigned int> &cells) const
       {
@@ -112,6 +115,8 @@ namespace swimtwin
       void shift(const unsigned int node, const Tensor<1, 3> &by)
       {
         mesh_.nodes[node] += by;
+        if (!has_image())
+          return;
         if (const unsigned int other = image_of(node); other != node)
           mesh_.nodes[other] = mirrored(mesh_.nodes[node]);
       }
@@ -123,7 +128,7 @@ namespace swimtwin
         double      size  = 0.;
         for (const auto c : cells)
           size = std::max(size, mesh_.nodes[mesh_.cells[c][0]].distance(mesh_.nodes[mesh_.cells[c][1]]));
-        const auto directions = unit_directions(image_of(node) == node);
+        const auto directions = unit_directions(has_image() && image_of(node) == node);
         double     best       = worst_around(cells);
         for (double step = size / 4.; step > size / 300.; step /= 2.)
           for (const auto &direction : directions)
@@ -163,5 +168,11 @@ namespace swimtwin
       return;
     untangling.fix_surface(half, on_plane, kept);
     untangling.run();
+  }
+
+  void untangle(SimplexMesh<3> &mesh, const QuadraticSurface &surface)
+  {
+    constexpr int no_plane = std::numeric_limits<int>::min();
+    untangle(mesh, surface, {}, no_plane);
   }
 } // namespace swimtwin

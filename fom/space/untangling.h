@@ -11,4 +11,7 @@ namespace swimtwin
   /// remains its own mirror image.
   void untangle(SimplexMesh<3> &mesh, const QuadraticSurface &half, const std::vector<unsigned int> &image,
                 int on_plane, const std::vector<dealii::Point<3>> &kept = {});
+
+  /// The same of a mesh that is made as a whole, within a surface that stays.
+  void untangle(SimplexMesh<3> &mesh, const QuadraticSurface &surface);
 } // namespace swimtwin

@@ -1,6 +1,7 @@
 #include <fom/step/full_order_model.h>
 
 #include <datasets/scene/dimensionless_groups.h>
+#include <datasets/surface/surface_distance.h>
 #include <datasets/system/error.h>
 #include <fom/algebra/cpu_time.h>
 #include <fom/body/given_motion.h>
@@ -34,6 +35,13 @@ namespace swimtwin
       Point<dim> center;
       for (int c = 0; c < 2; ++c)
         center[c] = domain.center_m[c];
+      if (domain.surface)
+      {
+        const SurfaceDistance distance(*domain.surface);
+        for (const auto &x : points)
+          least = std::min(least, distance.to({x[0], x[1], x[dim - 1]}));
+        return least;
+      }
       const std::array<double, 3> size{domain.size_m[0], domain.size_m[1], domain.size_z_m};
       for (const auto &x : points)
       {

@@ -20,7 +20,7 @@ namespace swimtwin
       {
         run.warning =
             fmt::format("The scene of {} cannot be read, so that what needs it is absent; if it names a field "
-                        "program, make the page from the folder of the scene: {}",
+                        "program or a surface, make the page from the folder of the scene: {}",
                         run.name, error.what());
       }
     }

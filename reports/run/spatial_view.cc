@@ -1,5 +1,6 @@
 #include <reports/run/spatial_view.h>
 
+#include <datasets/surface/closed_surface.h>
 #include <reports/page/shown_units.h>
 #include <reports/run/run_scripts.h>
 #include <reports/run/shown_instants.h>
@@ -92,8 +93,15 @@ namespace swimtwin
     std::vector<Polygon> head_surface(const Head &head, const Pose &pose)
     {
       constexpr int        n_angles = 36;
-      const auto           points   = meridian(head);
       std::vector<Polygon> surface;
+      if (head.surface)
+      {
+        for (const auto &face : head.surface->faces)
+          surface.push_back({placed(head.surface->nodes[face[0]], pose), placed(head.surface->nodes[face[1]], pose),
+                             placed(head.surface->nodes[face[2]], pose)});
+        return surface;
+      }
+      const auto points = meridian(head);
       for (std::size_t i = 0; i + 1 < points.size(); ++i)
         for (int k = 0; k < n_angles; ++k)
         {

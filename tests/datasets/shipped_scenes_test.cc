@@ -37,7 +37,7 @@ namespace swimtwin
         Scene scene;
         EXPECT_NO_THROW(scene = read_scene(entry.path())) << entry.path();
         EXPECT_EQ(scene.name, entry.path().stem());
-        EXPECT_EQ(parse_scene(scene.text, "again.toml").text, scene.text);
+        EXPECT_EQ(parse_scene(scene.text, (scenes / "again.toml").string()).text, scene.text);
       }
     EXPECT_GE(n_scenes, 10);
   }

@@ -1,0 +1,111 @@
+#include <datasets/scene/scene_surfaces.h>
+
+#include <datasets/surface/surface_distance.h>
+#include <datasets/surface/surface_reader.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace swimtwin
+{
+  using Eigen::Vector3d;
+
+  namespace
+  {
+    template <typename T>
+    T entry(const TomlDocument &document, const std::string &table, const std::string &key)
+    {
+      const toml::node *node = document.find(join_path(table, key));
+      return node == nullptr ? T() : node->value_or<T>(T());
+    }
+
+    ClosedSurface read_surface_of(TomlDocument &document, const std::string &table, const std::filesystem::path &folder,
+                                  const SurfaceUse use)
+    {
+      const std::filesystem::path named   = entry<std::string>(document, table, "surface");
+      const std::string           stated  = entry<std::string>(document, table, "surface_sha256");
+      ClosedSurface               surface = read_closed_surface(named.is_absolute() ? named : folder / named,
+                                                  entry<double>(document, table, "surface_unit_m"), use);
+      if (!stated.empty() && stated != surface.sha256)
+        document.refuse(table, "surface",
+                        "has changed since this scene was written; remove surface_sha256 to use the new content.");
+      document.set_text(table, "surface_sha256", surface.sha256);
+      return surface;
+    }
+
+    void shift(ClosedSurface &surface, const Vector3d &by)
+    {
+      for (Vector3d &x : surface.nodes)
+        x += by;
+    }
+
+    void read_head_surface(TomlDocument &document, const std::filesystem::path &folder, Head &head)
+    {
+      ClosedSurface  surface  = read_surface_of(document, "head", folder, SurfaceUse::body);
+      EnclosedVolume enclosed = enclosed_volume(surface);
+      shift(surface, -enclosed.center_m);
+      enclosed.center_m   = Vector3d::Zero();
+      const Vector3d size = extent(surface.nodes).size();
+      head.size_m         = {size[0], std::max(size[1], size[2])};
+      head.enclosed       = std::make_shared<const EnclosedVolume>(enclosed);
+      head.surface        = std::make_shared<const ClosedSurface>(std::move(surface));
+    }
+
+    void read_walls_surface(TomlDocument &document, const std::filesystem::path &folder, Domain &domain)
+    {
+      ClosedSurface surface = read_surface_of(document, "domain", folder, SurfaceUse::walls);
+      shift(surface, Vector3d(domain.center_m[0], domain.center_m[1], 0.));
+      const Vector3d size = extent(surface.nodes).size();
+      domain.size_m       = {size[0], size[1]};
+      domain.size_z_m     = size[2];
+      domain.surface      = std::make_shared<const ClosedSurface>(std::move(surface));
+    }
+
+    std::string asymmetry(const ClosedSurface &surface, const std::string &whose)
+    {
+      constexpr double tolerance = 0.01;
+      const double     distance  = distance_from_mirror_image(surface, 0.);
+      if (distance <= tolerance * extent(surface.nodes).size().maxCoeff())
+        return {};
+      return fmt::format("{} surface is up to {:.3g} m away from its mirror image at z = 0", whose, distance);
+    }
+  } // namespace
+
+  void declare_surface(TomlTable &table)
+  {
+    std::string file, digest;
+    double      unit_m = 0.;
+    table.text("surface", file);
+    table.number("surface_unit_m", {"m", positive, Need::optional}, unit_m);
+    table.text("surface_sha256", digest);
+  }
+
+  void read_surfaces(TomlDocument &document, const std::filesystem::path &folder, Scene &scene)
+  {
+    if (scene.head.shape == HeadShape::surface)
+      read_head_surface(document, folder, scene.head);
+    if (scene.domain && scene.domain->shape == DomainShape::surface)
+      read_walls_surface(document, folder, *scene.domain);
+  }
+
+  std::string way_out_of_plane(const Scene &scene)
+  {
+    std::string reason;
+    if (scene.head.surface)
+      reason = asymmetry(*scene.head.surface, "the head's");
+    if (reason.empty() && scene.domain && scene.domain->surface)
+      reason = asymmetry(*scene.domain->surface, "the walls'");
+    return reason;
+  }
+
+  ClosedSurface surface_at_start(const Head &head)
+  {
+    ClosedSurface surface = *head.surface;
+    const double  c = std::cos(head.angle_rad), s = std::sin(head.angle_rad);
+    for (Vector3d &x : surface.nodes)
+      x = Vector3d(head.center_m[0] + c * x[0] - s * x[1], head.center_m[1] + s * x[0] + c * x[1], x[2]);
+    return surface;
+  }
+} // namespace swimtwin

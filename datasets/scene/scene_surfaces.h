@@ -1,0 +1,22 @@
+// The surfaces that a scene names: what they are in it, and what they leave of its planar motions.
+#pragma once
+
+#include <datasets/scene/scene.h>
+#include <datasets/text/toml_table.h>
+
+namespace swimtwin
+{
+  /// Make `surface`, `surface_unit_m` and `surface_sha256` known entries of [head] or [domain].
+  void declare_surface(TomlTable &table);
+
+  /// Read the files of a head or a domain of that shape, place them, and note their digests in the document. Relative
+  /// paths are relative to `folder`. Throws InputError.
+  void read_surfaces(TomlDocument &document, const std::filesystem::path &folder, Scene &scene);
+
+  /// What would drive a free head out of the plane z = 0: a clause, empty if the surfaces are their own mirror images
+  /// there but for 1 % of their extent.
+  std::string way_out_of_plane(const Scene &scene);
+
+  /// The nodes of the head's surface where it starts, in the laboratory (m).
+  ClosedSurface surface_at_start(const Head &head);
+} // namespace swimtwin

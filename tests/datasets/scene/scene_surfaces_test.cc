@@ -1,0 +1,148 @@
+#include <datasets/scene/scene.h>
+
+#include <datasets/scene/mirror_plane.h>
+#include <datasets/surface/closed_surface.h>
+#include <datasets/system/error.h>
+#include <tests/datasets/example_surfaces.h>
+#include <tests/datasets/temporary_folder.h>
+
+namespace swimtwin
+{
+  namespace
+  {
+    const std::string body_toml = R"(dimension = 3
+[fluid]
+density_kg_m3 = 1000.0
+viscosity_Pa_s = 1.0
+[domain]
+shape = "box"
+size_m = [0.01, 0.01, 0.01]
+[head]
+shape = "surface"
+surface = "body.stl"
+surface_unit_m = 1e-3
+density_kg_m3 = 2000.0
+magnetization_A_m = 1e5
+[time]
+duration_s = 1.0
+steps = 2
+)";
+
+    const std::string walls_toml = R"(dimension = 3
+[fluid]
+density_kg_m3 = 1000.0
+viscosity_Pa_s = 1.0
+[domain]
+shape = "surface"
+surface = "walls.msh"
+surface_unit_m = 1e-3
+[head]
+shape = "sphere"
+diameter_m = 2e-3
+density_kg_m3 = 2000.0
+[time]
+duration_s = 1.0
+steps = 2
+)";
+
+    class SceneSurfaces : public testing::Test
+    {
+    protected:
+      SceneSurfaces()
+      {
+        folder_.write("body.stl", stl_text(box_.moved({7., 8., 9.})));
+        folder_.write("walls.msh", msh41_text(example_box({10., 10., 10.}, 3), 90));
+      }
+
+      Scene parse(const std::string &text, const std::vector<std::string> &overrides = {}) const
+      {
+        return parse_scene(text, (folder_.path / "scene.toml").string(), overrides);
+      }
+      void expect_refused(const std::string &text, const std::vector<std::string> &overrides,
+                          const std::string &part) const
+      {
+        expect_in(message_of<InputError>([&] { parse(text, overrides); }), part);
+      }
+
+      ExampleSurface  box_ = example_box({2., 3., 1.}, 2);
+      TemporaryFolder folder_;
+    };
+  } // namespace
+
+  TEST_F(SceneSurfaces, BodyStandsWithItsCentreAtTheHeadsCentre)
+  {
+    const Scene scene = parse(body_toml);
+    EXPECT_NEAR(scene.head.volume(3), 6e-9, 1e-20);
+    EXPECT_NEAR(scene.head.size_m[0], 2e-3, 1e-15);
+    EXPECT_NEAR(scene.head.size_m[1], 3e-3, 1e-15);
+    EXPECT_NEAR(scene.body_length_m(), 3e-3, 1e-15);
+    EXPECT_NEAR(scene.head.second_moment(3), 6e-9 * (4e-6 + 9e-6) / 12., 1e-24);
+    const Extent box = extent(scene.head.surface->nodes);
+    EXPECT_NEAR((box.low + box.high).norm(), 0., 1e-15);
+    EXPECT_FALSE(solves_half(scene));
+  }
+
+  TEST_F(SceneSurfaces, WallsHaveTheNamesOfTheirFile)
+  {
+    const Scene scene = parse(walls_toml, {"domain.walls.open=traction-free"});
+    EXPECT_EQ(scene.domain->walls.size(), 2u);
+    EXPECT_EQ(scene.domain->walls.at("open").condition, WallCondition::traction_free);
+    EXPECT_EQ(scene.domain->walls.at("sides").condition, WallCondition::no_slip);
+    EXPECT_FALSE(solves_half(scene));
+    expect_refused(walls_toml, {"domain.walls.outer=no-slip"}, "outer");
+    expect_refused(walls_toml, {"domain.walls.open={condition=\"moving-wall\", speed_m_s=1.0}"},
+                   "cannot be a moving wall where walls are read from a surface");
+    expect_refused(walls_toml, {"domain.walls.open={condition=\"inflow\", speed_m_s=1.0}"},
+                   "inflows need a straight wall of a box or a channel");
+  }
+
+  TEST_F(SceneSurfaces, ContentIsPartOfTheScene)
+  {
+    const Scene before = parse(body_toml);
+    EXPECT_EQ(parse(body_toml).hash, before.hash);
+    EXPECT_EQ(parse(before.text).hash, before.hash);
+    folder_.write("body.stl", stl_text(box_));
+    EXPECT_NE(parse(body_toml).hash, before.hash);
+    expect_refused(before.text, {}, "[head] surface = \"body.stl\" has changed since this scene was written");
+  }
+
+  TEST_F(SceneSurfaces, EntriesGoWithTheShape)
+  {
+    expect_refused(body_toml, {"head.shape=sphere", "head.diameter_m=1e-3"}, "surface = \"body.stl\" does not belong");
+    expect_refused(body_toml, {"head.size_m=[1e-3, 1e-3]"}, "does not belong to the shape surface, which has its size");
+    expect_refused(body_toml, {"numerics.mesh_size_m=1e-4"}, "whose triangles are the mesh there");
+    expect_refused(body_toml + "[tail]\nlength_m = 1e-3\nroot_height_m = 1e-4\ntip_height_m = 1e-4\n"
+                               "law = \"rigid\"\ndensity_kg_m3 = 1000.0\n",
+                   {}, "does not go with a head that is read from a surface");
+    expect_refused(walls_toml, {"domain.radius_m=1.0"}, "radius_m = 1.0 does not belong to the shape surface");
+    expect_refused(walls_toml, {"numerics.symmetric_half=on"}, "the walls are read from a surface");
+    std::string text = body_toml;
+    text.erase(text.find("surface_unit_m = 1e-3\n"), 22);
+    expect_refused(text, {}, "surface_unit_m is missing; the shape surface needs it");
+    expect_refused(body_toml, {"dimension=2", "domain.size_m=[1.0, 1.0]"}, "[head] shape = \"surface\" is not known");
+    expect_refused(body_toml, {"head.surface=bodi.stl"}, "cannot read the surface");
+  }
+
+  TEST_F(SceneSurfaces, BodyIsWithinWalls)
+  {
+    expect_refused(body_toml, {"head.center_m=[4.5e-3, 0.0]"}, "reaches 0.0005 m beyond the right wall");
+    expect_refused(walls_toml, {"head.center_m=[4.5e-3, 0.0]"}, "reaches 0.0005 m beyond the ");
+    expect_refused(walls_toml, {"head.center_m=[9e-3, 0.0]"}, "beyond the ");
+    const std::vector<std::string> both{"head={shape=\"surface\", surface=\"body.stl\", surface_unit_m=1e-3, "
+                                        "motion=\"fixed\"}"};
+    EXPECT_NO_THROW(parse(walls_toml, both));
+    const std::vector<std::string> through{"head={shape=\"surface\", surface=\"body.stl\", surface_unit_m=1e-2, "
+                                           "motion=\"fixed\"}"};
+    expect_refused(walls_toml, through, "does not contain the swimmer, which reaches");
+  }
+
+  TEST_F(SceneSurfaces, BodyThatIsNoMirrorImageMustBeHeld)
+  {
+    ExampleSurface wedge = box_;
+    for (auto &x : wedge.points)
+      x[1] += .5 * x[2];
+    folder_.write("body.stl", stl_text(wedge));
+    expect_refused(body_toml, {}, "the head's surface is up to 0.000447 m away from its mirror image at z = 0");
+    EXPECT_NO_THROW(parse(body_toml, {"head.motion=fixed"}));
+  }
+} // namespace swimtwin
