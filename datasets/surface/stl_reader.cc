@@ -2,9 +2,11 @@
 
 #include <datasets/files/input_file.h>
 #include <datasets/surface/surface_words.h>
+#include <datasets/text/text_line.h>
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -41,10 +43,16 @@ namespace swimtwin
       return start_bytes + triangle_bytes * std::size_t(at<std::uint32_t>(content, header_bytes));
     }
 
+    /// Of any kind: bytes of triangles have zeros among them.
     bool is_text(const std::string_view content)
     {
-      const std::string_view beginning = content.substr(0, 4096);
-      return equal_but_for_case(beginning.substr(0, 5), "solid") && beginning.find('\0') == std::string_view::npos;
+      return content.substr(0, 4096).find('\0') == std::string_view::npos;
+    }
+
+    /// The first line of a text, or what a message has room for.
+    std::string first_line(const std::string_view content)
+    {
+      return text_line(std::string(content.substr(0, std::min<std::size_t>(content.find_first_of("\r\n"), 40))));
     }
 
     SurfaceSoup read_bytes(const std::filesystem::path &file, const std::string_view content)
@@ -126,11 +134,17 @@ namespace swimtwin
   {
     const bool has_table = content.size() >= start_bytes;
     const bool is_exact  = has_table && content.size() == stated_bytes(content);
-    if (!is_exact && !is_text(content) && !has_table)
+    const bool is_words  = !is_exact && is_text(content);
+    if (is_words && !equal_but_for_case(SurfaceWords(file, content).next(), "solid"))
       refuse_file(
           file, "the surface",
-          "it is no STL: neither the word \"solid\" nor a header of 84 bytes begins it; export the surface as STL");
-    SurfaceSoup soup = !is_exact && is_text(content) ? read_text(file, content) : read_bytes(file, content);
+          fmt::format("it is no STL, but a text that begins with \"{}\" and not with \"solid\"; export the surface "
+                      "as STL",
+                      first_line(content)));
+    if (!is_words && !has_table)
+      refuse_file(file, "the surface",
+                  "it is no STL: it ends within the header of 84 bytes; export the surface as STL");
+    SurfaceSoup soup = is_words ? read_text(file, content) : read_bytes(file, content);
     soup.patches     = {"outer"};
     return soup;
   }

@@ -100,6 +100,6 @@ namespace swimtwin
 
   void SurfaceWords::refuse(const std::string &cause) const
   {
-    refuse_file(file_, "the surface", fmt::format("line {}: {}", line_, cause));
+    refuse_file(file_, "the surface", fmt::format("line {}: {}", line_, text_line(cause)));
   }
 } // namespace swimtwin

@@ -114,7 +114,7 @@ steps = 2
     expect_refused(body_toml + "[tail]\nlength_m = 1e-3\nroot_height_m = 1e-4\ntip_height_m = 1e-4\n"
                                "law = \"rigid\"\ndensity_kg_m3 = 1000.0\n",
                    {}, "does not go with a head that is read from a surface");
-    expect_refused(walls_toml, {"domain.radius_m=1.0"}, "radius_m = 1.0 does not belong to the shape surface");
+    expect_refused(walls_toml, {"domain.radius_m=1.0"}, "radius_m = 1 does not belong to the shape surface");
     expect_refused(walls_toml, {"numerics.symmetric_half=on"}, "the walls are read from a surface");
     std::string text = body_toml;
     text.erase(text.find("surface_unit_m = 1e-3\n"), 22);
