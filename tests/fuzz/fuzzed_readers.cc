@@ -16,11 +16,13 @@
 #include <datasets/run/trajectory.h>
 #include <datasets/scene/dimensionless_groups.h>
 #include <datasets/scene/scene.h>
+#include <datasets/surface/surface_reader.h>
 #include <datasets/system/error.h>
 #include <reports/run/run_folder.h>
 #include <reports/sweep/sweep_folder.h>
 #include <rom/sweep/sweep.h>
 #include <tests/datasets/example_observations.h>
+#include <tests/datasets/example_surfaces.h>
 #include <tests/places.h>
 #include <tests/reports/synthetic_calibration.h>
 #include <tests/reports/synthetic_run.h>
@@ -270,7 +272,7 @@ namespace swimtwin
           {"scene",
            "scene.toml",
            shipped_in("datasets/scenes", ".toml"),
-           {},
+           {{"helix-3d.msh", shipped("datasets/scenes/helix-3d.msh")}},
            false,
            [](const fs::path &file) { inertia_warning(read_scene(file)); }},
           {"field program",
@@ -279,6 +281,21 @@ namespace swimtwin
            {},
            false,
            [](const fs::path &file) { FieldProgram::read_csv(file, 1.); }}};
+    }
+
+    std::vector<FuzzedReader> surface_readers()
+    {
+      const ExampleSurface box  = example_box({1., 2., 3.});
+      const auto           read = [](const fs::path &file) {
+        enclosed_volume(read_closed_surface(file, 1e-3, SurfaceUse::walls));
+      };
+      return {{"surface in STL", "surface.stl", {stl_text(box), stl_bytes(box)}, {}, false, read},
+              {"surface of gmsh",
+               "surface.msh",
+               {msh_text(box), msh41_text(box, 8), msh_text(example_sphere(0, 1., true))},
+               {},
+               false,
+               read}};
     }
 
     std::vector<FuzzedReader> model_readers()
@@ -343,7 +360,7 @@ namespace swimtwin
   {
     std::vector<FuzzedReader> readers;
     for (const auto &group :
-         {scene_readers(), observation_readers(), result_readers(), goal_readers(), model_readers()})
+         {scene_readers(), surface_readers(), observation_readers(), result_readers(), goal_readers(), model_readers()})
       readers.insert(readers.end(), group.begin(), group.end());
     return readers;
   }

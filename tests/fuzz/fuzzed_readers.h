@@ -24,7 +24,7 @@ namespace swimtwin
     std::function<void(const std::filesystem::path &)> finish = {};
   };
 
-  /// Of the online half: scenes, fields, curves, tracks, goals, problems, results, models.
+  /// Of the online half: scenes, surfaces, fields, curves, tracks, goals, problems, results, models.
   std::vector<FuzzedReader> online_readers();
 
   /// Those, and in the full build those of the full order: checkpoints.
