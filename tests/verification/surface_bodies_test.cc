@@ -100,10 +100,12 @@ mesh_growth = 0.4
                               (1. - 9. * l / 4. + 5. * std::pow(l, 3) / 2. - 9. * std::pow(l, 5) / 4. + std::pow(l, 6));
     const double exact_torque = 8. * pi / (1. - l * l * l);
 
-    /// Largest errors of drag and torque over the three directions.
-    std::array<double, 2> errors_of_sphere(const int n, const bool is_curved)
+    /// Largest errors of drag and torque over the three directions; all elements are `factor` times smaller.
+    std::array<double, 2> errors_of_sphere(const int n, const bool is_curved, const double factor = 1.)
     {
-      const auto result = resistance(scene_with(body_in_sphere, example_sphere(n, 1., is_curved)));
+      const auto result = resistance(scene_with(body_in_sphere, example_sphere(n, 1., is_curved),
+                                                {override_entry("numerics.mesh_size_far_m", .8 / factor),
+                                                 override_entry("numerics.mesh_growth", .4 / factor)}));
       double     drag = 0., torque = 0.;
       for (int c = 0; c < 3; ++c)
       {
@@ -119,11 +121,12 @@ mesh_growth = 0.4
 
   TEST(SurfaceBody, SphereOfCurvedTrianglesConvergesToTheExactResistance)
   {
-    const auto coarse = errors_of_sphere(1, true), fine = errors_of_sphere(2, true);
-    EXPECT_LT(coarse[0], .02);
-    EXPECT_LT(fine[0], .003);
-    EXPECT_LT(fine[1], .003);
-    EXPECT_LT(fine[0], .5 * coarse[0]);
+    const auto coarse = errors_of_sphere(1, true), fine = errors_of_sphere(2, true, 2.);
+    for (int i = 0; i < 2; ++i)
+    {
+      EXPECT_LT(coarse[i], .03);
+      EXPECT_LT(fine[i], coarse[i] / 6.); // of third order but for what is random in meshes
+    }
   }
 
   // A sphere in which all corners lie is as much smaller as its volume is.
