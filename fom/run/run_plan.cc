@@ -284,8 +284,9 @@ namespace swimtwin
           plan.warnings.push_back(fmt::format(
               "the mesh at rest has an element of quality {:.2f}, below [numerics] remesh_quality = {}: the "
               "flow is coarse "
-              "there, and the run remeshes when the quality has halved; lower mesh_growth or mesh_size_m",
-              plan.mesh_quality, scene.numerics.remesh_quality));
+              "there, and the run remeshes when the quality has halved; lower mesh_growth or {}",
+              plan.mesh_quality, scene.numerics.remesh_quality,
+              scene.head.surface ? "mesh the surface anew" : "mesh_size_m"));
       }
       if (swimmer.has_tail())
         plan.n_tail_cells = swimmer.tail().mesh.n_cells();
