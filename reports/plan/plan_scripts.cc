@@ -113,4 +113,34 @@ set yrange [1e-7:10]
 plot for [k=0:n_fields-1] data index k using 1:($3 > 1e-7 ? $3 : 1e-7) with steps lw 2.4 lc palette cb k notitle
 unset multiplot
 )gp";
+
+  const std::string_view led_course = R"gp(
+set multiplot
+left = 0.125; right = 0.965
+set xrange [t_min:t_max]
+set format x ''
+top = 0.835; bottom = 0.60
+eval(panel)
+set yrange [0:*]
+set offsets 0,0,graph 0.05,0
+set ylabel (is_relative ? "distance (% of\nbody length)" : 'distance (µm)')
+plot data index 0 using 1:(has_deviation ? $6 : NaN) with lines lw 1.6 lc rgb pale_color title (has_deviation ? 'deviation of the position' : ''), \
+     data index 0 using 1:2 with lines lw 1.6 lc rgb head_color title (has_deviation ? 'mean position to path, as estimated' : '')
+eval(without_heading)
+top = 0.55; bottom = 0.36
+eval(panel)
+set yrange [*:*]
+set ylabel 'field (mT)'
+plot data index 0 using 1:3 with lines lw 0.8 lc rgb head_color title 'b_x', \
+     data index 0 using 1:4 with lines lw 0.8 lc rgb tail_color title 'b_y'
+set format x '%g'
+top = 0.31; bottom = 0.115
+eval(panel)
+unset key
+set yrange [0:*]
+set xlabel 'time (s)'
+set ylabel "time of a\ndecision (ms)"
+plot data index 0 using 1:5 with points pt 7 ps 0.3 lc rgb field_color notitle
+unset multiplot
+)gp";
 } // namespace swimtwin::gnuplot_scripts

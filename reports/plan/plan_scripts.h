@@ -1,4 +1,4 @@
-// The look of a plan's pictures, as in reports/run/run_scripts.h.
+// The look of a plan's pictures and of what was made of it, as in reports/run/run_scripts.h.
 #pragma once
 
 #include <string_view>
@@ -11,4 +11,5 @@ namespace swimtwin::gnuplot_scripts
   extern const std::string_view gains;         ///< mean speeds as bars
   extern const std::string_view trade_off;     ///< speed and gain against the multiplier allowed
   extern const std::string_view search_trace;  ///< objective and violation by cost
+  extern const std::string_view led_course;    ///< along a path: distance, field and time of decisions
 } // namespace swimtwin::gnuplot_scripts

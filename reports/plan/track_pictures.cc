@@ -3,6 +3,7 @@
 #include <reports/page/number_text.h>
 #include <reports/page/picture_extent.h>
 #include <reports/page/shown_units.h>
+#include <reports/plan/plan_scripts.h>
 
 #include <fmt/format.h>
 
@@ -21,34 +22,6 @@ plot data index 1 using 1:2 with lines lw 0.8 lc rgb pale_color title 'head', \
      data index 0 using 1:2 with lines lw 6 lc rgb '#f3c98b' title 'path', \
      data index 2 using 1:2 with lines lw 2 lc rgb tail_color title (has_replay ? 'mean of the replay' : ''), \
      data index 1 using 3:4 with lines lw 2 lc rgb head_color title 'mean over a period'
-)gp";
-
-    constexpr std::string_view track_course_script = R"gp(
-set multiplot
-left = 0.105; right = 0.965
-set xrange [t_min:t_max]
-set format x ''
-top = 0.835; bottom = 0.60
-eval(panel)
-set yrange [0:*]
-set offsets 0,0,graph 0.05,0
-set ylabel "distance (% of\nbody length)"
-plot data index 0 using 1:2 with lines lw 2 lc rgb head_color notitle
-unset label 1; unset label 2
-top = 0.55; bottom = 0.36
-eval(panel)
-set yrange [*:*]
-set ylabel 'field (mT)'
-plot data index 0 using 1:3 with lines lw 1 lc rgb head_color title 'b_x', \
-     data index 0 using 1:4 with lines lw 1 lc rgb tail_color title 'b_y'
-set format x '%g'
-top = 0.31; bottom = 0.115
-eval(panel)
-set yrange [0:*]
-set xlabel 'time (s)'
-set ylabel "time of a\ndecision (ms)"
-plot data index 0 using 1:5 with points pt 7 ps 0.3 lc rgb field_color notitle
-unset multiplot
 )gp";
 
     std::string finding(const TrackRecord &record)
@@ -89,11 +62,13 @@ unset multiplot
     {
       const TrackResult &r       = record.result;
       GnuplotPicture     picture = titled_picture(
-              "course", track_course_script, "Distance from the path, field and decisions",
+              "course", gnuplot_scripts::led_course, "Distance from the path, field and decisions",
               fmt::format("{} decisions of {} ms on average, {} ms at most; {} came too late", r.n_decisions,
                           plain_number(ms * r.mean_decision_s, 2), plain_number(ms * r.largest_decision_s, 2), r.n_missed));
       picture.set("t_min", r.instants.front().time_s);
       picture.set("t_max", std::max(r.instants.back().time_s, r.instants.front().time_s + 1e-3));
+      picture.set_flag("is_relative", true);
+      picture.set_flag("has_deviation", false);
       picture.table.begin_block("time (s), distance (% of body length), bx, by (mT), time of the decision (ms)");
       for (const TrackedInstant &i : r.instants)
         picture.table.add_row({i.time_s, percent * i.distance_m / record.body_length_m, mT * i.field_T.x(),

@@ -1,6 +1,7 @@
 #include <reports/page/number_text.h>
 #include <reports/page/picture_extent.h>
 #include <reports/page/shown_units.h>
+#include <reports/plan/plan_scripts.h>
 #include <reports/twin/twin_pictures.h>
 #include <reports/twin/twin_scripts.h>
 
@@ -165,17 +166,19 @@ namespace swimtwin
     {
       const TwinColumns &c       = record.steering;
       GnuplotPicture     picture = titled_picture(
-              "steering", gnuplot_scripts::twin_steering, "Distance from the path, field and decisions",
+              "steering", gnuplot_scripts::led_course, "Distance from the path, field and decisions",
               fmt::format("{} decisions; {}; {} % of the path", record.n_steering_rows,
                       record.phase.empty() ? "interrupted" : record.phase,
                           plain_number(record.path_length_m > 0. ? percent * record.arc_m / record.path_length_m : 0., 3)));
       const auto &time = c.at("time_s");
       picture.set("t_min", time.front());
       picture.set("t_max", std::max(time.back(), time.front() + 1e-3));
-      picture.table.begin_block("time (s), distance, deviation (µm), bx, by (mT), time of the decision (ms)");
+      picture.set_flag("is_relative", false);
+      picture.set_flag("has_deviation", true);
+      picture.table.begin_block("time (s), distance (µm), bx, by (mT), time of the decision (ms), deviation (µm)");
       for (std::size_t i = 0; i < time.size(); ++i)
-        picture.table.add_row({time[i], um * c.at("distance_m")[i], um * c.at("doubt_m")[i], mT * c.at("bx_T")[i],
-                               mT * c.at("by_T")[i], ms * c.at("took_s")[i]});
+        picture.table.add_row({time[i], um * c.at("distance_m")[i], mT * c.at("bx_T")[i], mT * c.at("by_T")[i],
+                               ms * c.at("took_s")[i], um * c.at("doubt_m")[i]});
       return picture;
     }
   } // namespace

@@ -76,34 +76,4 @@ plot data index 0 using 2:3:1 with lines lw 1.4 lc palette title 'head', \
      data index 1 using 1:2 with lines lw 3 lc rgb field_color title (has_path ? 'path' : ''), \
      data index 2 using 1:2 with points pt 6 ps 1.8 lw 2 lc rgb dissipation_color title (has_alarms ? 'alarm' : '')
 )gp";
-
-  const std::string_view twin_steering = R"gp(
-set multiplot
-left = 0.125; right = 0.965
-set xrange [t_min:t_max]
-set format x ''
-top = 0.835; bottom = 0.60
-eval(panel)
-set yrange [0:*]
-set offsets 0,0,graph 0.05,0
-set ylabel "distance (µm)"
-plot data index 0 using 1:3 with lines lw 1.6 lc rgb pale_color title 'deviation of the position', \
-     data index 0 using 1:2 with lines lw 1.6 lc rgb head_color title 'mean position to path, as estimated'
-eval(without_heading)
-top = 0.55; bottom = 0.36
-eval(panel)
-set yrange [*:*]
-set ylabel 'field (mT)'
-plot data index 0 using 1:4 with lines lw 0.8 lc rgb head_color title 'b_x', \
-     data index 0 using 1:5 with lines lw 0.8 lc rgb tail_color title 'b_y'
-set format x '%g'
-top = 0.31; bottom = 0.115
-eval(panel)
-unset key
-set yrange [0:*]
-set xlabel 'time (s)'
-set ylabel "time of a\ndecision (ms)"
-plot data index 0 using 1:6 with points pt 7 ps 0.3 lc rgb field_color notitle
-unset multiplot
-)gp";
 } // namespace swimtwin::gnuplot_scripts

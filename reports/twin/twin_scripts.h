@@ -5,5 +5,5 @@
 
 namespace swimtwin::gnuplot_scripts
 {
-  extern const std::string_view twin_parameters, twin_innovations, twin_swim, twin_steering;
+  extern const std::string_view twin_parameters, twin_innovations, twin_swim;
 } // namespace swimtwin::gnuplot_scripts
