@@ -11,7 +11,7 @@
 #include <datasets/system/error.h>
 #include <datasets/files/output_folder.h>
 #include <reports/sweep/model_card.h>
-#include <rom/training/training.h>
+#include <rom/training/aimed_training.h>
 
 #include <fmt/format.h>
 

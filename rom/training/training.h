@@ -1,16 +1,96 @@
-// From a scene to a reduced swimmer: runs, modes, elasticity, resistance, and what they are worth.
+// From a scene to one reduced swimmer: runs, modes, elasticity, resistance, and what they are worth.
 #pragma once
 
+#include <fom/body/swimmer.h>
+#include <rom/training/cpu_budget.h>
+#include <rom/training/pose_dependence.h>
+#include <rom/training/resistance_fit.h>
+#include <rom/training/sampled_shapes.h>
+#include <rom/training/shape_sampler.h>
+#include <rom/training/tail_basis.h>
 #include <rom/training/training_options.h>
+#include <rom/training/training_runs.h>
 
 #include <mpi.h>
 
+#include <filesystem>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace swimtwin
 {
-  /// Writes runs/, held-out/, samples.h5 and at last model.h5. What an interrupted training of the same scene left is
-  /// used, not made again. Collective.
-  ReducedModel train(const Scene &scene, const TrainingOptions &options, MPI_Comm communicator);
+  /// A model with a given number of coordinates, and all that it was made from, so that it can be made better. Scene,
+  /// options and budget must live as long. Every member that does work is collective, and leaves the model with the
+  /// record of what it is worth.
+  class Training
+  {
+  public:
+    /// The samples of the resistance are kept in this file of the folder.
+    Training(const Scene &scene, const TrainingOptions &options, int n_coordinates, const std::string &sample_file,
+             CpuBudget &budget, MPI_Comm communicator);
+
+    /// Throws InputError for snapshots of another swimmer, ComputationError where no resistance can be had.
+    void make_model();
+    /// With the set of monomials that is best, not the smallest that is nearly as good.
+    void fit_finely();
+    /// Of the resistance, where the reduced swimmer goes and the fit is least sure.
+    void add_samples(int n);
+
+    const ReducedModel &model() const { return model_; }
+    int                 n_coordinates() const { return basis_.n_coordinates(); }
+    int                 n_samples() const { return static_cast<int>(samples_.size()); }
+
+  private:
+    void                     take_snapshots();
+    std::vector<SnapshotSet> read_sets(const std::vector<std::filesystem::path> &files) const;
+    TrainingRunOptions       run_options(const std::string &folder, const std::string &stage) const;
+    void                     choose_basis();
+    void                     choose_modes();
+    void                     choose_bending();
+    void                     follow_head();
+    void                     forget_heights();
+    std::string              key_of_samples() const;
+    void                     choose_region(ShapeSampler &sampler);
+    void                     sample_resistance(ShapeSampler &sampler);
+    void                     explore_and_fit(int n);
+    void                     fit(ShapeSampler &sampler, const std::vector<ShapePoint> &points);
+    void                     hold_out_samples(ShapeSampler &sampler);
+    void                     judge();
+    void                     record_velocity_errors();
+    void                     record();
+    void                     compare();
+    void                     book(const std::string &purpose) { budget_.book(purpose); }
+    void                     report(const std::string &stage, int done, int total) const;
+
+    const Scene                                              &scene_;
+    const TrainingOptions                                    &options_;
+    int                                                       n_coordinates_;
+    std::filesystem::path                                     sample_file_;
+    CpuBudget                                                &budget_;
+    MPI_Comm                                                  communicator_;
+    Swimmer<2>                                                swimmer_;
+    SnapshotSet                                               tail_; ///< its mesh alone
+    TailSpace                                                 space_;
+    std::vector<std::filesystem::path>                        sources_;
+    std::vector<SnapshotSet>                                  sets_;
+    int                                                       n_snapshots_ = 0;
+    TailBasis                                                 basis_;
+    ShapePoint                                                rest_;
+    std::vector<ShapePoint>                                   shapes_seen_;
+    Wandering                                                 wandering_;
+    SampledRegion                                             region_;
+    PoseDependence                                            pose_;
+    Eigen::VectorXd                                           effects_;
+    std::unique_ptr<SampleStore>                              store_;
+    std::unique_ptr<ShapeSampler>                             sampler_;
+    std::vector<ShapePoint>                                   points_;       ///< where samples are wanted
+    int                                                       explored_ = 1; ///< of the range's members, the next
+    double                                                    nearly_   = ResistanceFit::usual_nearly;
+    std::vector<ResistanceSample>                             samples_;
+    std::unique_ptr<ResistanceFit>                            fit_;
+    std::vector<std::pair<ResistanceSample, Eigen::VectorXd>> held_out_samples_; ///< and velocities
+    ReducedModel                                              model_;
+  };
 } // namespace swimtwin

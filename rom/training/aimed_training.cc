@@ -1,0 +1,172 @@
+#include <rom/training/aimed_training.h>
+
+#include <datasets/reduced/reduced_model.h>
+#include <datasets/system/provenance.h>
+#include <rom/training/aim.h>
+#include <rom/training/cpu_budget.h>
+#include <rom/training/training.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <optional>
+
+namespace swimtwin
+{
+  namespace
+  {
+    /// Makes models until one meets the target, or there is nothing left to spend or to try.
+    class AimedTraining
+    {
+    public:
+      AimedTraining(const Scene &scene, const TrainingOptions &options, const MPI_Comm communicator)
+          : scene_(scene), options_(options), communicator_(communicator), budget_(options.budget_s, communicator)
+      {
+      }
+
+      ReducedModel run()
+      {
+        current_ =
+            std::make_unique<Training>(scene_, options_, options_.n_coordinates, "samples.h5", budget_, communicator_);
+        current_->make_model();
+        take_stock({});
+        while (misses())
+        {
+          const auto        remedy = next_remedy(attempts_);
+          const std::string reason =
+              remedy ? reason_against(*remedy) : "neither more samples nor another mode lowered the error by a tenth";
+          if (!reason.empty())
+            return concluded(reason);
+          apply(*remedy);
+        }
+        return concluded("");
+      }
+
+    private:
+      bool misses() const { return !missed_target(best_.record).empty(); }
+
+      /// What a remedy costs, as far as the stages before tell.
+      double expected_cost_s(const Remedy remedy) const
+      {
+        const double a_sample = budget_.spent_on_s("resistance samples") / std::max(1, current_->n_samples());
+        if (remedy == Remedy::finer_fit)
+          return budget_.spent_on_s("fits");
+        if (remedy == Remedy::more_samples)
+          return a_sample * fewest_more_samples;
+        return 2. * budget_.spent_on_s("shapes of least energy") + budget_.spent_on_s("fits") +
+               1.2 * a_sample * options_.n_samples;
+      }
+
+      /// Empty if there is none.
+      std::string reason_against(const Remedy remedy) const
+      {
+        constexpr int most_modes = 8;
+        if (remedy == Remedy::another_mode && current_->n_coordinates() >= most_modes)
+          return fmt::format("a model of more than {} modes would be slow and hard to fit", most_modes);
+        if (expected_cost_s(remedy) > budget_.left_s())
+          return fmt::format("what is left of the --budget of {:.0f} s of CPU time does not suffice for {}",
+                             budget_.limit_s(), text_of(remedy));
+        return "";
+      }
+
+      /// Half as many again, or what can be afforded.
+      int n_more_samples() const
+      {
+        const double a_sample = expected_cost_s(Remedy::more_samples) / fewest_more_samples;
+        const double most     = a_sample > 0. ? budget_.left_s() / a_sample : 1e9;
+        return static_cast<int>(std::min(most, .5 * current_->n_samples()));
+      }
+
+      void apply(const Remedy remedy)
+      {
+        if (remedy == Remedy::finer_fit)
+          current_->fit_finely();
+        else if (remedy == Remedy::more_samples)
+          current_->add_samples(n_more_samples());
+        else
+          add_mode();
+        take_stock(remedy);
+      }
+
+      /// The models before stay what is refined if the new one is not better.
+      void add_mode()
+      {
+        const int n     = current_->n_coordinates() + 1;
+        before_         = std::move(current_);
+        const auto file = fmt::format("samples-{}-modes.h5", n);
+        current_        = std::make_unique<Training>(scene_, options_, n, file, budget_, communicator_);
+        current_->make_model();
+      }
+
+      void take_stock(const std::optional<Remedy> remedy)
+      {
+        const TrainingRecord &record = current_->model().record;
+        const HeldOutError    error  = displacement_error(record);
+        attempts_.push_back({remedy, size_of(error), fit_share(record)});
+        history_.push_back(fmt::format("{}{} modes, {} samples, {} monomials: {}; {:.0f} s of CPU time so far.",
+                                       remedy ? text_of(*remedy) + ": " : "", current_->n_coordinates(),
+                                       current_->n_samples(), current_->model().resistance.exponents.rows(),
+                                       error.is_known() ? "off by " + error.text() : "no held-out runs",
+                                       budget_.spent_s()));
+        report_stage(history_.back());
+        if (attempts_.size() == 1 || attempts_.back().error < best_error_)
+        {
+          best_       = current_->model();
+          best_error_ = attempts_.back().error;
+        }
+        else if (remedy == Remedy::another_mode)
+          current_ = std::move(before_);
+      }
+
+      void report_stage(const std::string &sentence) const
+      {
+        if (options_.on_progress)
+          options_.on_progress(sentence, 1, 1);
+      }
+
+      static std::string text_of(const Remedy remedy)
+      {
+        return remedy == Remedy::finer_fit      ? "more monomials"
+               : remedy == Remedy::more_samples ? "more samples"
+                                                : "another mode";
+      }
+
+      ReducedModel concluded(const std::string &end)
+      {
+        auto &record      = best_.record;
+        record.cpu_time_s = budget_.spent_s();
+        record.history    = history_;
+        record.history.push_back(fmt::format("CPU time: {}.", budget_.text()));
+        if (!end.empty())
+          record.history.push_back(fmt::format("It ended because {}; {}.", end, cause_of(record)));
+        return best_;
+      }
+
+      static constexpr int      fewest_more_samples = 100;
+      const Scene              &scene_;
+      const TrainingOptions    &options_;
+      MPI_Comm                  communicator_;
+      CpuBudget                 budget_;
+      std::unique_ptr<Training> current_, before_;
+      ReducedModel              best_;
+      double                    best_error_ = 0.;
+      std::vector<Attempt>      attempts_;
+      std::vector<std::string>  history_;
+    };
+  } // namespace
+
+  ReducedModel train(const Scene &scene, const TrainingOptions &options, const MPI_Comm communicator)
+  {
+    const auto   start = std::chrono::steady_clock::now();
+    ReducedModel model = AimedTraining(scene, options, communicator).run();
+    int          rank;
+    MPI_Comm_rank(communicator, &rank);
+    if (rank == 0)
+      write_reduced_model(options.folder / "model.h5", model,
+                          {current_program_version, options.command_line, scene.text, scene.hash, utc_time_now(),
+                           std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()});
+    return model;
+  }
+} // namespace swimtwin
