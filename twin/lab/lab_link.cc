@@ -1,6 +1,6 @@
 #include <datasets/system/error.h>
 #include <twin/lab/lab_link.h>
-#include <twin/stream/local_server.h>
+#include <twin/stream/local_socket.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

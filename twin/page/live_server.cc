@@ -1,6 +1,5 @@
 #include <datasets/system/error.h>
 #include <twin/page/live_server.h>
-#include <twin/stream/local_server.h>
 
 #include <fmt/format.h>
 
@@ -44,14 +43,10 @@ namespace swimtwin
     }
   } // namespace
 
-  LiveServer::LiveServer(const int port, std::string page) : page_(std::move(page))
+  LiveServer::LiveServer(const int port, std::string page) : page_(std::move(page)), socket_(port, "--page")
   {
-    socket_ = listen_locally(port, "--page", port_);
     if (::pipe2(wake_, O_CLOEXEC | O_NONBLOCK) != 0)
-    {
-      ::close(socket_);
       throw ComputationError("cannot make a pipe for the live page; close other programs.");
-    }
     thread_ = std::thread([this] { serve(); });
   }
 
@@ -62,7 +57,7 @@ namespace swimtwin
     thread_.join();
     for (const Client &client : clients_)
       ::close(client.socket);
-    for (const int descriptor : {socket_, wake_[0], wake_[1]})
+    for (const int descriptor : wake_)
       ::close(descriptor);
   }
 
@@ -86,7 +81,7 @@ namespace swimtwin
   std::string LiveServer::answer(const std::string &request, bool &listens) const
   {
     const std::string host = header(request, "host");
-    if (host != fmt::format("127.0.0.1:{}", port_) && host != fmt::format("localhost:{}", port_))
+    if (host != fmt::format("127.0.0.1:{}", port()) && host != fmt::format("localhost:{}", port()))
       return response("403 Forbidden", "text/plain", "This page is for this machine only: open http://127.0.0.1.\n");
     if (!request.starts_with("GET "))
       return response("405 Method Not Allowed", "text/plain", "This page can only be looked at.\n");
@@ -102,7 +97,7 @@ namespace swimtwin
 
   void LiveServer::accept_client()
   {
-    const int client = ::accept4(socket_, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);
+    const int client = socket_.accept(SOCK_NONBLOCK);
     if (client < 0)
       return;
     if (clients_.size() >= most_clients)
@@ -161,7 +156,7 @@ namespace swimtwin
   {
     while (!is_over_)
     {
-      std::vector<pollfd> wanted = {{socket_, POLLIN, 0}, {wake_[0], POLLIN, 0}};
+      std::vector<pollfd> wanted = {{socket_.descriptor(), POLLIN, 0}, {wake_[0], POLLIN, 0}};
       for (const Client &client : clients_)
         wanted.push_back({client.socket, static_cast<short>(client.waiting.empty() ? POLLIN : POLLIN | POLLOUT), 0});
       if (::poll(wanted.data(), wanted.size(), -1) < 0)

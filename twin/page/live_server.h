@@ -1,6 +1,8 @@
 // The live page: a few people on this machine look on in their browsers. Nothing listens beyond it.
 #pragma once
 
+#include <twin/stream/local_socket.h>
+
 #include <atomic>
 #include <deque>
 #include <mutex>
@@ -21,7 +23,7 @@ namespace swimtwin
     LiveServer(const LiveServer &)            = delete;
     LiveServer &operator=(const LiveServer &) = delete;
 
-    int port() const { return port_; }
+    int port() const { return socket_.port(); }
     /// To all who look on.
     void publish(const std::string &line);
     /// The same, and to those who come later, before everything else.
@@ -43,7 +45,8 @@ namespace swimtwin
     static void write(Client &client);
 
     std::string              page_;
-    int                      socket_ = -1, port_ = 0, wake_[2] = {-1, -1};
+    ListeningSocket          socket_;
+    int                      wake_[2] = {-1, -1};
     std::vector<Client>      clients_; ///< of the thread
     std::mutex               mutex_;
     std::deque<std::string>  news_; ///< not handed out yet

@@ -1,5 +1,5 @@
 #include <twin/page/live_server.h>
-#include <twin/stream/local_server.h>
+#include <twin/stream/local_socket.h>
 
 #include <datasets/system/error.h>
 
