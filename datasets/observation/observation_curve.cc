@@ -113,7 +113,7 @@ namespace swimtwin
     refuse_twin_columns(table, own);
     const Numbers                  numbers = read_numbers(table, columns, own);
     const std::vector<std::size_t> rows    = sorted_rows(numbers.frequency_Hz);
-    if (table.n_rows() < 2 && table.n_left_out() == 0)
+    if (table.n_rows() < 2 && table.left_out().empty())
       own.error(fmt::format("{}: {} point(s) are no curve; at least 2 are needed, and more than parameters to fit.",
                             table.where_header(), table.n_rows()));
     problems.append(own);

@@ -3,12 +3,14 @@
 #include <datasets/system/error.h>
 #include <datasets/text/foreign_format.h>
 #include <datasets/text/text_decoding.h>
+#include <datasets/text/text_line.h>
 #include <datasets/text/unit_names.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 
 namespace swimtwin
 {
@@ -106,7 +108,12 @@ namespace swimtwin
     const std::size_t        n = header_.size();
     std::vector<std::size_t> lines;
     std::vector<Row>         fitting;
-    std::size_t              n_cells = 0;
+    const auto               sentence = [&](const Row &row, const std::string &others) {
+      return fmt::format(
+                        "{}:{}: this row has {} values but the header names {} columns{}; {}.", file_, row.line, row.cells.size(), n,
+                        others, remedy_for_length(n, fmt::format("{}", fmt::join(row.cells, std::string(1, separator))), separator));
+    };
+    std::optional<Row> first;
     for (Row &row : rows_)
       if (row.cells.size() == n ||
           (row.cells.size() > n ? are_empty(row.cells, n) : are_empty(header_, row.cells.size())))
@@ -116,17 +123,14 @@ namespace swimtwin
       }
       else
       {
-        n_cells = lines.empty() ? row.cells.size() : n_cells;
         lines.push_back(row.line);
-        if (lines.size() == 1)
-          left_out.push_back(
-              remedy_for_length(n, fmt::format("{}", fmt::join(row.cells, std::string(1, separator))), separator));
+        left_out_.push_back({row.line, sentence(row, "")});
+        if (!first)
+          first = std::move(row);
       }
-    if (!lines.empty())
-      left_out.back() = fmt::format("{}:{}: this row has {} values but the header names {} columns{}; {}.", file_,
-                                    lines.front(), n_cells, n, and_others(lines), left_out.back());
-    n_left_out_ = lines.size();
-    rows_       = std::move(fitting);
+    if (first)
+      left_out.push_back(sentence(*first, and_others(lines)));
+    rows_ = std::move(fitting);
   }
 
   void CsvTable::drop_nameless_columns()
@@ -154,6 +158,16 @@ namespace swimtwin
       all += column;
     for (const MarkEvidence &column : columns)
       marks_.push_back(find_decimal_mark(column, all, separator == ','));
+  }
+
+  CsvTable CsvTable::without(const std::vector<WrongRow> &rows) const
+  {
+    std::set<std::size_t> lines;
+    for (const WrongRow &row : rows)
+      lines.insert(row.line);
+    CsvTable table = *this;
+    std::erase_if(table.rows_, [&](const Row &row) { return lines.contains(row.line); });
+    return table;
   }
 
   std::optional<std::size_t> CsvTable::find_column(const std::string &name) const
@@ -191,6 +205,14 @@ namespace swimtwin
     return fmt::format("{}:{}", file_, header_line_);
   }
 
+  std::vector<std::size_t> CsvTable::lines(const std::vector<std::size_t> &rows) const
+  {
+    std::vector<std::size_t> found;
+    for (const std::size_t row : rows)
+      found.push_back(line(row));
+    return found;
+  }
+
   std::optional<double> CsvTable::number(const std::size_t row, const std::string &name) const
   {
     return number(row, require_column(name));
@@ -209,7 +231,7 @@ namespace swimtwin
   std::string CsvTable::quote(const std::size_t row, const std::size_t column) const
   {
     return fmt::format("{} (column {}) = \"{}\"", header_.at(column), place_.at(column),
-                       rows_.at(row).cells.at(column));
+                       shortened(rows_.at(row).cells.at(column)));
   }
 
   std::string CsvTable::remedy(const std::size_t row, const std::size_t column) const
@@ -227,7 +249,7 @@ namespace swimtwin
       const std::optional<double> value = number(row, index);
       if (!value)
         throw InputError(fmt::format("{}: {} = \"{}\" is not a finite number; {}.", where(row), name,
-                                     rows_[row].cells[index], remedy(row, index)));
+                                     shortened(rows_[row].cells[index]), remedy(row, index)));
       values.push_back(*value);
     }
     return values;

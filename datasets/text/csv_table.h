@@ -3,6 +3,7 @@
 
 #include <datasets/files/input_file.h>
 #include <datasets/text/number_text.h>
+#include <datasets/text/wrong_row.h>
 
 #include <filesystem>
 #include <optional>
@@ -29,14 +30,18 @@ namespace swimtwin
     /// A row as it stands in the file, one text per column.
     const std::vector<std::string> &cells(std::size_t row) const { return rows_.at(row).cells; }
 
-    std::size_t                n_rows() const { return rows_.size(); }
-    std::size_t                n_left_out() const { return n_left_out_; }
+    std::size_t n_rows() const { return rows_.size(); }
+    /// Rows of another length than the header, of a table that was read without them.
+    const std::vector<WrongRow> &left_out() const { return left_out_; }
+    /// The table without the rows on these lines of its file.
+    CsvTable                   without(const std::vector<WrongRow> &rows) const;
     bool                       has_column(const std::string &name) const;
     std::optional<std::size_t> find_column(const std::string &name) const;
     /// The number of a cell, or none where it is not a finite one; InputError for a missing column.
     std::optional<double> number(std::size_t row, const std::string &name) const;
     std::optional<double> number(std::size_t row, std::size_t column) const;
-    /// `name (column 3) = "cell"`, for a sentence about a cell; InputError for a missing column.
+    /// `name (column 3) = "cell"`, for a sentence about a cell, of which a long one is cut; InputError for a missing
+    /// column.
     std::string quote(std::size_t row, const std::string &name) const;
     std::string quote(std::size_t row, std::size_t column) const;
     /// What to do about a cell without a number.
@@ -44,9 +49,11 @@ namespace swimtwin
     /// The numbers of a column; InputError for a missing column and for a cell that is not a finite number.
     std::vector<double> column(const std::string &name) const;
     /// `file:line` of a row, or of the header.
-    std::string where(std::size_t row) const;
-    std::string where_header() const;
-    std::size_t line(std::size_t row) const { return rows_.at(row).line; }
+    std::string              where(std::size_t row) const;
+    std::string              where_header() const;
+    std::size_t              line(std::size_t row) const { return rows_.at(row).line; }
+    std::vector<std::size_t> lines(const std::vector<std::size_t> &rows) const;
+    const std::string       &file() const { return file_; }
 
   private:
     struct Row
@@ -62,7 +69,8 @@ namespace swimtwin
     void        find_decimal_marks(char separator);
 
     std::string              file_;
-    std::size_t              header_line_ = 0, n_left_out_ = 0;
+    std::size_t              header_line_ = 0;
+    std::vector<WrongRow>    left_out_;
     std::vector<std::string> header_;
     std::vector<std::size_t> place_; ///< of each column in the file
     std::vector<DecimalMark> marks_; ///< of each column

@@ -27,4 +27,15 @@ namespace swimtwin
     std::replace_if(line.begin(), line.end(), is_control_character, ' ');
     return line;
   }
+
+  std::string shortened(const std::string &text)
+  {
+    constexpr std::size_t most = 40;
+    if (text.size() <= most)
+      return text;
+    std::size_t n = most;
+    while (n > 0 && (static_cast<unsigned char>(text[n]) & 0xC0U) == 0x80U) // inside a character
+      --n;
+    return text.substr(0, n) + "...";
+  }
 } // namespace swimtwin

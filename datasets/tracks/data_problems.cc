@@ -3,24 +3,25 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 namespace swimtwin
 {
-  void DataProblems::add(const Severity severity, std::string text)
+  void DataProblems::add(DataProblem problem)
   {
-    const auto is_told = [&](const DataProblem &problem) {
-      return problem.severity == severity && problem.text == text;
+    const auto is_told = [&](const DataProblem &other) {
+      return other.severity == problem.severity && other.text == problem.text;
     };
     if (std::any_of(problems_.begin(), problems_.end(), is_told))
       return;
-    n_errors_ += severity == Severity::error ? 1 : 0;
-    problems_.push_back({severity, std::move(text)});
+    n_errors_ += problem.severity == Severity::error ? 1 : 0;
+    problems_.push_back(std::move(problem));
   }
 
   void DataProblems::append(const DataProblems &others)
   {
     for (const DataProblem &problem : others.problems_)
-      add(problem.severity, problem.text);
+      add(problem);
   }
 
   std::vector<std::string> DataProblems::texts(const Severity severity) const
@@ -36,9 +37,17 @@ namespace swimtwin
   {
     std::vector<DataProblem> sorted;
     for (const Severity severity : {Severity::error, Severity::warning})
-      for (const std::string &text : texts(severity))
-        sorted.push_back({severity, text});
+      std::copy_if(problems_.begin(), problems_.end(), std::back_inserter(sorted),
+                   [&](const DataProblem &problem) { return problem.severity == severity; });
     return sorted;
+  }
+
+  std::vector<WrongRow> DataProblems::wrong_rows() const
+  {
+    std::vector<WrongRow> rows;
+    for (const DataProblem &problem : problems_)
+      rows.insert(rows.end(), problem.rows.begin(), problem.rows.end());
+    return rows;
   }
 
   void DataProblems::throw_errors() const

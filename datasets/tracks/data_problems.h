@@ -2,6 +2,7 @@
 #pragma once
 
 #include <datasets/system/error.h>
+#include <datasets/text/wrong_row.h>
 
 #include <string>
 #include <vector>
@@ -15,14 +16,19 @@ namespace swimtwin
   {
     Severity    severity = Severity::error;
     std::string text; ///< `file:line: what is wrong; remedy.`
+    /// All that is wrong: without these rows of the table there would be no such error. None: it is the table's.
+    std::vector<WrongRow> rows = {};
   };
 
   /// Collects problems in the order in which they are found, each once.
   class DataProblems
   {
   public:
-    void error(std::string text) { add(Severity::error, std::move(text)); }
-    void warning(std::string text) { add(Severity::warning, std::move(text)); }
+    void error(std::string text, std::vector<WrongRow> rows = {})
+    {
+      add({Severity::error, std::move(text), std::move(rows)});
+    }
+    void warning(std::string text) { add({Severity::warning, std::move(text)}); }
     void append(const DataProblems &others);
     /// Run `read` and note the InputError that it may throw as an error; false if it did.
     template <typename Action>
@@ -44,11 +50,13 @@ namespace swimtwin
     /// Errors first.
     std::vector<DataProblem> all() const;
     std::vector<std::string> texts(Severity severity) const;
+    /// Of all errors.
+    std::vector<WrongRow> wrong_rows() const;
     /// Throw InputError with the errors, one per line and some dozens at most, if there are any.
     void throw_errors() const;
 
   private:
-    void add(Severity severity, std::string text);
+    void add(DataProblem problem);
 
     std::vector<DataProblem> problems_;
     std::size_t              n_errors_ = 0;

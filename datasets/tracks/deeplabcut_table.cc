@@ -107,19 +107,32 @@ namespace swimtwin
       return camera.pixel_m;
     }
 
+    /// An empty one is none.
+    void check_likelihood(const CsvTable &table, const std::size_t row, const std::size_t column, CellFaults &faults)
+    {
+      if (const std::optional<double> value = table.number(row, column); value && (*value < 0. || *value > 1.))
+        faults.add(row, "is no likelihood", "it lies between 0 and 1: correct it, or leave the row out");
+      else if (!value && !table.cells(row)[column].empty())
+        faults.add_no_number(row);
+    }
+
     /// Frames that the network is sure of.
     std::vector<std::size_t> certain_rows(const CsvTable &table, const Layout &layout, const PartColumns &part,
                                           const double least, DataProblems &problems)
     {
       std::vector<std::size_t> rows, lines;
+      CellFaults               faults(table, part.likelihood.value_or(0));
       for (std::size_t row = layout.first_row; row < table.n_rows(); ++row)
       {
         const bool is_there = !table.cells(row)[*part.x].empty() && !table.cells(row)[*part.y].empty();
+        if (is_there && part.likelihood)
+          check_likelihood(table, row, *part.likelihood, faults);
         if (is_there && (!part.likelihood || table.number(row, *part.likelihood).value_or(0.) >= least))
           rows.push_back(row);
         else
           lines.push_back(table.line(row));
       }
+      faults.note(problems);
       const std::size_t n = table.n_rows() - layout.first_row;
       if (rows.empty())
         problems.error(
@@ -134,15 +147,6 @@ namespace swimtwin
       return rows;
     }
 
-    void require_order(const CsvTable &table, const std::vector<std::size_t> &rows, const std::vector<double> &time_s,
-                       DataProblems &problems)
-    {
-      CellFaults faults(table, 0);
-      for (std::size_t i = 1; i < time_s.size() && time_s.size() == rows.size(); ++i)
-        if (time_s[i] <= time_s[i - 1])
-          faults.add(rows[i], "does not come after the frame before it", "keep one row per frame, in order");
-      faults.note(problems);
-    }
   } // namespace
 
   bool is_deeplabcut_table(const CsvTable &table)
@@ -168,7 +172,9 @@ namespace swimtwin
       track.time_s                        = scaled_cells(table, 0, rows, *camera.frame_s, own);
       track.x_m                           = scaled_cells(table, *part->x, rows, *pixel_m, own);
       track.y_m                           = scaled_cells(table, *part->y, rows, *pixel_m, own);
-      require_order(table, rows, track.time_s, own);
+      track.lines                         = table.lines(rows);
+      if (track.time_s.size() == rows.size())
+        require_increasing(table, 0, rows, track.time_s, own);
     }
     problems.append(own);
     return own.has_errors() ? std::vector<HeadTrack>() : std::vector<HeadTrack>{track};

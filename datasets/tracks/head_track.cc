@@ -28,18 +28,20 @@ namespace swimtwin
       return groups;
     }
 
-    void check_times(const CsvTable &table, const std::vector<std::size_t> &rows, const HeadTrack &track,
-                     DataProblems &problems)
+    void require_rows(const CsvTable &table, const std::vector<std::size_t> &rows, const HeadTrack &track,
+                      DataProblems &problems)
     {
-      double     latest = track.time_s.front();
-      CellFaults faults(table, find_quantity(table, "time_s")->index);
-      for (std::size_t i = 1; i < rows.size(); ++i)
-        if (track.time_s[i] > latest)
-          latest = track.time_s[i];
-        else
-          faults.add(rows[i], fmt::format("does not come after {} s", latest),
-                     "sort the rows by time and keep one per instant");
-      faults.note(problems);
+      if (rows.size() >= n_rows_min)
+        return;
+      std::vector<WrongRow> wrong;
+      for (const std::size_t row : rows)
+        wrong.push_back(
+            {table.line(row), fmt::format("{}: a row at {} Hz, of which there are {}, is no track; at least "
+                                          "{} are needed: correct the frequency, or leave the row out.",
+                                          table.where(row), track.frequency_Hz, rows.size(), n_rows_min)});
+      problems.error(fmt::format("{}: {} rows at {} Hz are not a track; at least {} are needed, and many per period.",
+                                 track.where, rows.size(), track.frequency_Hz, n_rows_min),
+                     std::move(wrong));
     }
 
     std::vector<double> pick(const std::vector<double> &values, const std::vector<std::size_t> &rows)
@@ -73,11 +75,10 @@ namespace swimtwin
                       pick(columns.x_m, rows),
                       pick(columns.y_m, rows),
                       pick(columns.angle_rad, rows),
-                      table.where(rows.front())};
-      check_times(table, rows, track, problems);
-      if (rows.size() < n_rows_min)
-        problems.error(fmt::format("{}: {} rows at {} Hz are not a track; at least {} are needed, and many per period.",
-                                   track.where, rows.size(), frequency_Hz, n_rows_min));
+                      table.where(rows.front()),
+                      table.lines(rows)};
+      require_increasing(table, find_quantity(table, "time_s")->index, rows, track.time_s, problems);
+      require_rows(table, rows, track, problems);
       return track;
     }
   } // namespace

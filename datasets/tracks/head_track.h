@@ -13,9 +13,10 @@ namespace swimtwin
   /// Positions in m at increasing times in s; the angle (rad) is empty when it was not followed.
   struct HeadTrack
   {
-    double              frequency_Hz = 0., period_start_s = 0.;
-    std::vector<double> time_s, x_m, y_m, angle_rad;
-    std::string         where; ///< file, and line of its first row
+    double                   frequency_Hz = 0., period_start_s = 0.;
+    std::vector<double>      time_s, x_m, y_m, angle_rad;
+    std::string              where;      ///< file, and line of its first row
+    std::vector<std::size_t> lines = {}; ///< of its rows in the file
   };
 
   /// Tracks of a table `time_s,x_m,y_m[,angle_rad][,frequency_Hz]`. With a recording all rows are one track of its

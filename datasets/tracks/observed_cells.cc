@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <limits>
 
 namespace swimtwin
 {
@@ -77,6 +79,56 @@ namespace swimtwin
                                    remedy_for_header(table, column, unit)));
     }
 
+    /// Those that do not come after the latest before them.
+    std::vector<std::size_t> behind_earlier_ones(const std::vector<double> &time_s)
+    {
+      std::vector<std::size_t> behind;
+      for (std::size_t i = 1, latest = 0; i < time_s.size(); ++i)
+        if (time_s[i] > time_s[latest])
+          latest = i;
+        else
+          behind.push_back(i);
+      return behind;
+    }
+
+    /// All but a longest increasing subsequence (patience sorting).
+    std::vector<std::size_t> fewest_out_of_order(const std::vector<double> &time_s)
+    {
+      constexpr std::size_t    none = std::numeric_limits<std::size_t>::max();
+      std::vector<std::size_t> last_of_length, before(time_s.size(), none);
+      for (std::size_t i = 0; i < time_s.size(); ++i)
+      {
+        const auto place = std::lower_bound(last_of_length.begin(), last_of_length.end(), time_s[i],
+                                            [&](const std::size_t j, const double time) { return time_s[j] < time; });
+        if (place != last_of_length.begin())
+          before[i] = *std::prev(place);
+        if (place == last_of_length.end())
+          last_of_length.push_back(i);
+        else if (time_s[i] < time_s[*place])
+          *place = i;
+      }
+      std::vector<bool> is_kept(time_s.size());
+      for (std::size_t i = last_of_length.empty() ? none : last_of_length.back(); i != none; i = before[i])
+        is_kept[i] = true;
+      std::vector<std::size_t> out;
+      for (std::size_t i = 0; i < time_s.size(); ++i)
+        if (!is_kept[i])
+          out.push_back(i);
+      return out;
+    }
+
+    /// Of the time `i`, one of those that are wrong.
+    std::string fault_of_order(const std::vector<double> &time_s, const std::vector<std::size_t> &wrong,
+                               const std::size_t i)
+    {
+      const auto is_wrong = [&](const std::size_t j) { return std::binary_search(wrong.begin(), wrong.end(), j); };
+      for (std::size_t j = i; j-- > 0;)
+        if (!is_wrong(j))
+          return time_s[i] <= time_s[j] ? fmt::format("does not come after {} s", time_s[j])
+                                        : "leaps ahead of those after it";
+      return "leaps ahead of those after it";
+    }
+
     std::vector<double> checked_cells(const CsvTable &table, const std::string &column, const std::string_view unit,
                                       DataProblems &problems, const std::string_view remedy_if_not_positive)
     {
@@ -132,8 +184,9 @@ namespace swimtwin
   void CellFaults::add(const std::size_t row, const std::string &fault, const std::string &remedy)
   {
     const auto same = std::find_if(kinds_.begin(), kinds_.end(), [&](const Kind &k) { return k.remedy == remedy; });
-    Kind      &kind = same == kinds_.end() ? kinds_.emplace_back(Kind{fault, remedy, {}}) : *same;
+    Kind      &kind = same == kinds_.end() ? kinds_.emplace_back(Kind{remedy, {}, {}}) : *same;
     kind.rows.push_back(row);
+    kind.faults.push_back(fault);
   }
 
   void CellFaults::add_no_number(const std::size_t row)
@@ -141,15 +194,24 @@ namespace swimtwin
     add(row, "is not a finite number", table_.remedy(row, column_));
   }
 
+  std::string CellFaults::sentence(const Kind &kind, const std::size_t i, const std::string &others) const
+  {
+    return fmt::format("{}: {} {}{}; {}.", table_.where(kind.rows[i]), table_.quote(kind.rows[i], column_),
+                       kind.faults[i], others, kind.remedy);
+  }
+
   void CellFaults::note(DataProblems &problems) const
   {
     for (const Kind &kind : kinds_)
     {
       std::vector<std::size_t> lines;
-      for (const std::size_t row : kind.rows)
-        lines.push_back(table_.line(row));
-      problems.error(fmt::format("{}: {} {}{}; {}.", table_.where(kind.rows.front()),
-                                 table_.quote(kind.rows.front(), column_), kind.fault, and_others(lines), kind.remedy));
+      std::vector<WrongRow>    wrong;
+      for (std::size_t i = 0; i < kind.rows.size(); ++i)
+      {
+        lines.push_back(table_.line(kind.rows[i]));
+        wrong.push_back({lines.back(), sentence(kind, i, "")});
+      }
+      problems.error(sentence(kind, 0, and_others(lines)), std::move(wrong));
     }
   }
 
@@ -175,6 +237,20 @@ namespace swimtwin
         faults.add_no_number(row);
     faults.note(problems);
     return values;
+  }
+
+  void require_increasing(const CsvTable &table, const std::size_t column, const std::vector<std::size_t> &rows,
+                          const std::vector<double> &time_s, DataProblems &problems)
+  {
+    constexpr std::size_t    many   = 4; // times as many as need be
+    std::vector<std::size_t> wrong  = behind_earlier_ones(time_s);
+    const auto               fewest = fewest_out_of_order(time_s);
+    if (wrong.size() > many * fewest.size())
+      wrong = fewest;
+    CellFaults faults(table, column);
+    for (const std::size_t i : wrong)
+      faults.add(rows[i], fault_of_order(time_s, wrong, i), "sort the rows by time and keep one per instant");
+    faults.note(problems);
   }
 
   void warn_of_conversions(const CsvTable &table, const std::vector<std::string> &columns, DataProblems &problems)

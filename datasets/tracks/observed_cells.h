@@ -10,7 +10,8 @@
 
 namespace swimtwin
 {
-  /// What is wrong with cells of a column: one sentence for each kind of fault, with the lines where it is.
+  /// What is wrong with cells of a column, and so with their rows: one sentence for each kind of fault, with the lines
+  /// where it is.
   class CellFaults
   {
   public:
@@ -25,9 +26,12 @@ namespace swimtwin
   private:
     struct Kind
     {
-      std::string              fault, remedy;
+      std::string              remedy;
       std::vector<std::size_t> rows;
+      std::vector<std::string> faults; ///< of the rows
     };
+
+    std::string sentence(const Kind &kind, std::size_t i, const std::string &others) const;
 
     const CsvTable   &table_;
     std::size_t       column_;
@@ -52,6 +56,11 @@ namespace swimtwin
   /// The cells of some rows times `factor`; those that are no finite numbers are noted and left out.
   std::vector<double> scaled_cells(const CsvTable &table, std::size_t column, const std::vector<std::size_t> &rows,
                                    double factor, DataProblems &problems);
+
+  /// Note the rows at which times (of these rows, in s; any number of them) do not come after those before. Where one
+  /// clock that leapt ahead would make all that follows wrong, the fewest rows are noted that let the others increase.
+  void require_increasing(const CsvTable &table, std::size_t column, const std::vector<std::size_t> &rows,
+                          const std::vector<double> &time_s, DataProblems &problems);
 
   /// The numbers of a column in the unit of its name, as many as rows; empty if a problem was noted: the column is
   /// missing (`unit` says what it holds), or a cell is not a finite number. A column in another unit is converted.

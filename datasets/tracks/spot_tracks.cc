@@ -14,12 +14,24 @@ namespace swimtwin
     using Rows   = std::vector<std::size_t>;
     using Tracks = std::map<int, Rows>;
 
-    Tracks tracks_of(const CsvTable &table, const SpotColumns &columns)
+    /// How trackers, and who saves their tables again, write that a spot is outside the tracks.
+    bool says_none(const std::string &cell)
     {
-      Tracks tracks;
+      return cell.empty() || cell == "None" || cell == "NaN" || cell == "nan" || cell == "NA" || cell == "null";
+    }
+
+    Tracks tracks_of(const CsvTable &table, const SpotColumns &columns, DataProblems &problems)
+    {
+      constexpr double largest = 1e9;
+      Tracks           tracks;
+      CellFaults       faults(table, *columns.track);
       for (std::size_t row = n_further_header_rows(table, columns); row < table.n_rows(); ++row)
-        if (const std::optional<double> id = table.number(row, *columns.track))
+        if (const std::optional<double> id = table.number(row, *columns.track);
+            id && *id == std::round(*id) && std::abs(*id) <= largest)
           tracks[static_cast<int>(*id)].push_back(row);
+        else if (id || !says_none(table.cells(row)[*columns.track]))
+          faults.add(row, "is no number of a track", "correct it, or leave it empty for a spot outside the tracks");
+      faults.note(problems);
       return tracks;
     }
 
@@ -163,7 +175,7 @@ namespace swimtwin
                                           const Recording &recording, DataProblems &problems)
   {
     DataProblems       own;
-    const Tracks       tracks = tracks_of(table, columns);
+    const Tracks       tracks = tracks_of(table, columns, own);
     std::vector<Piece> pieces;
     for (const int id : choose_tracks(table, tracks, recording, own))
       if (tracks.contains(id))

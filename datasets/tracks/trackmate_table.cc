@@ -99,6 +99,7 @@ namespace swimtwin
         track.time_s = scaled_cells(table, clock->column, rows, clock->unit_s, own);
         track.x_m    = scaled_cells(table, *columns.x, rows, *unit, own);
         track.y_m    = scaled_cells(table, *columns.y, rows, *unit, own);
+        track.lines  = table.lines(rows);
       }
     }
     problems.append(own);

@@ -1,6 +1,7 @@
 #include <datasets/system/clocks.h>
 #include <datasets/system/console.h>
 #include <datasets/system/error.h>
+#include <datasets/text/text_line.h>
 #include <twin/page/live_server.h>
 #include <twin/page/live_view.h>
 #include <twin/run/twin_service.h>
@@ -101,10 +102,23 @@ namespace swimtwin
           say_text(line + '\n');
       }
 
-      void take(const std::string &line)
+      void take(const std::string &line, const std::string &where = {})
       {
         folder_.remember_line(line);
-        session_.take(line);
+        session_.take(line, where);
+        finish_line();
+      }
+
+      /// Remembered as itself, which is no line either: after a kill it counts again.
+      void refuse(const std::string &sentence)
+      {
+        folder_.remember_line(text_line(sentence));
+        session_.refuse_line(sentence);
+        finish_line();
+      }
+
+      void finish_line()
+      {
         last_line_s_ = wall_time_s();
         if (++n_since_save_ >= config_.save_every)
         {
@@ -127,8 +141,7 @@ namespace swimtwin
             take(line);
             break;
           case LineReader::Got::too_long:
-            folder_.remember_line(""); // it counts as a line
-            session_.refuse_long_line(LineReader::most_bytes);
+            refuse(LineReader::too_long_sentence());
             break;
           case LineReader::Got::nothing:
             wait();
@@ -153,14 +166,19 @@ namespace swimtwin
 
       void replay()
       {
-        const auto            lines   = recorded_lines(options_.recording);
+        const auto [lines, warnings]  = recorded_lines(options_.recording);
         const auto            n_done  = static_cast<std::size_t>(session_.counts().n_lines);
         const double          start_s = wall_time_s();
         std::optional<double> first_s;
+        for (const std::string &warning : warnings)
+          warn(warning);
         session_.greet();
         for (std::size_t i = n_done; i < lines.size() && !session_.has_ended(); ++i)
         {
-          take(lines[i]);
+          if (lines[i].fault.empty())
+            take(lines[i].text, lines[i].where);
+          else
+            refuse(lines[i].fault);
           if (!options_.in_real_time || !session_.twin().has_started())
             continue;
           first_s              = first_s.value_or(session_.twin().now_s());

@@ -40,15 +40,13 @@ namespace swimtwin
     listeners_.say(error_line(counts_.n_lines, sentence));
   }
 
-  void TwinSession::refuse_long_line(const std::size_t most_bytes)
+  void TwinSession::refuse_line(const std::string &sentence)
   {
     ++counts_.n_lines;
-    refuse(fmt::format("the line is longer than {} bytes and was thrown away; send frames with fewer points, each on a "
-                       "line of its own.",
-                       most_bytes));
+    refuse(sentence);
   }
 
-  void TwinSession::take(const std::string_view line)
+  void TwinSession::take(const std::string_view line, const std::string_view where)
   {
     ++counts_.n_lines;
     if (line.find_first_not_of(" \t\r") == std::string_view::npos)
@@ -73,7 +71,7 @@ namespace swimtwin
     }
     catch (const InputError &error)
     {
-      refuse(error.what());
+      refuse(where.empty() ? error.what() : fmt::format("{}: {}", where, error.what()));
     }
     clock_at_last_line_s_ = clock_s_;
   }

@@ -27,10 +27,11 @@ namespace swimtwin
     TwinSession(const ReducedModel &model, const TwinConfig &config, Listeners listeners);
 
     void greet();
-    /// One line of the stream. What is wrong with it is answered by an error line.
-    void take(std::string_view line);
-    /// A line that was longer than lines may be, and was thrown away.
-    void refuse_long_line(std::size_t most_bytes);
+    /// One line of the stream. What is wrong with it is answered by an error line, which begins with `where` it is
+    /// from.
+    void take(std::string_view line, std::string_view where = {});
+    /// A line that cannot be taken at all, for the reason that the sentence says. It counts.
+    void refuse_line(const std::string &sentence);
     /// No line came for this time.
     void wait(double since_last_line_s);
     /// A line of before a kill, or one that was said then: nothing is decided again.

@@ -1,5 +1,7 @@
 #include <twin/stream/line_reader.h>
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cerrno>
 #include <poll.h>
@@ -7,6 +9,13 @@
 
 namespace swimtwin
 {
+  std::string LineReader::too_long_sentence()
+  {
+    return fmt::format("the line is longer than {} bytes and was thrown away; send frames with fewer points, each on a "
+                       "line of its own.",
+                       most_bytes);
+  }
+
   /// False if nothing came in time.
   bool LineReader::fill(const int timeout_ms)
   {

@@ -10,6 +10,8 @@ namespace swimtwin
   {
   public:
     static constexpr std::size_t most_bytes = 65536;
+    /// What is wrong with a longer line, and what to do.
+    static std::string too_long_sentence();
 
     enum class Got {
       line,

@@ -19,12 +19,10 @@ namespace swimtwin
     constexpr double largest_time_s = 1e11, largest_length_m = 1e3, largest_field_T = 10., largest_frequency_Hz = 1e5,
                      largest_angle_rad = 1e6;
     constexpr std::size_t most_points  = 256;
-    constexpr std::size_t shown_length = 40;
 
     std::string shown(const std::string &text)
     {
-      const std::string line = text_line(text);
-      return line.size() <= shown_length ? line : line.substr(0, shown_length) + "...";
+      return shortened(text_line(text));
     }
 
     /// An object whose entries are asked for one by one; what nobody asked for is unknown.

@@ -1,4 +1,5 @@
 #include <tests/twin/run/imagined_stream.h>
+#include <twin/stream/line_reader.h>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -99,7 +100,7 @@ namespace swimtwin
         EXPECT_NE(kept.answers.back()["message"].get<std::string>().find(hostile.message), std::string::npos)
             << kept.answers.back()["message"];
       }
-      kept.session.refuse_long_line(65536);
+      kept.session.refuse_line(LineReader::too_long_sentence());
       EXPECT_EQ(kept.answers.back()["line"], number + 1);
       kept.session.take(frame(0.2));
       EXPECT_EQ(kept.answers.back()["type"], "estimate");
