@@ -4,18 +4,11 @@ namespace swimtwin
 {
   std::vector<Verb> every_verb()
   {
-    return {{"plan", add_plan},
-            {"simulate", add_simulate},
-            {"resistance", add_resistance},
-            {"train", add_train},
-            {"sweep", add_sweep},
-            {"reconstruct", add_reconstruct},
-            {"calibrate", add_calibrate},
-            {"optimize", add_optimize},
-            {"track", add_track},
-            {"twin", add_twin},
-            {"lab", add_lab},
-            {"report", add_report},
-            {"demo", add_demo}};
+    std::vector<Verb> verbs = {
+        {"plan", add_plan}, {"simulate", add_simulate}, {"resistance", add_resistance}, {"train", add_train}};
+    for (const Verb &verb : online_verbs())
+      verbs.push_back(verb);
+    verbs.push_back({"demo", add_demo});
+    return verbs;
   }
 } // namespace swimtwin

@@ -8,13 +8,5 @@ int main(int argc, char **argv)
   using namespace swimtwin;
   settle_standard_streams();
   quiet_library_environment();
-  return run_tool(argc, argv,
-                  {{"sweep", add_sweep},
-                   {"reconstruct", add_reconstruct},
-                   {"calibrate", add_calibrate},
-                   {"optimize", add_optimize},
-                   {"track", add_track},
-                   {"twin", add_twin},
-                   {"lab", add_lab},
-                   {"report", add_report}});
+  return run_tool(argc, argv, online_verbs());
 }

@@ -13,6 +13,8 @@ namespace swimtwin
     Work (*add)(CLI::App &tool, const std::string &command_line);
   };
 
+  /// Those of the online build: they need neither finite elements nor MPI.
+  std::vector<Verb> online_verbs();
   /// Those of the full build.
   std::vector<Verb> every_verb();
 

@@ -10,7 +10,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <fstream>
+#include <iterator>
 
 namespace swimtwin
 {
@@ -41,6 +43,14 @@ namespace swimtwin
   inline constexpr const char *short_lab  = "duration_s = 6\n[coils]\nbx_T = 4e-3\nby_T = 4e-3\nfrequency_Hz = 0.8\n";
   inline constexpr const char *plain_twin = "[field]\nbx_T = 4e-3\nby_T = 4e-3\nfrequency_Hz = 0.8\n";
 
+  inline std::vector<nlohmann::json> lines_of_type(const std::vector<nlohmann::json> &lines, const std::string &type)
+  {
+    std::vector<nlohmann::json> found;
+    std::copy_if(lines.begin(), lines.end(), std::back_inserter(found),
+                 [&](const nlohmann::json &line) { return line["type"] == type; });
+    return found;
+  }
+
   /// A session whose answers are kept.
   struct KeptSession
   {
@@ -60,15 +70,8 @@ namespace swimtwin
       for (const std::string &line : lines)
         session.take(line);
     }
-    std::vector<nlohmann::json> of_type(const std::string &type) const
-    {
-      std::vector<nlohmann::json> found;
-      for (const nlohmann::json &answer : answers)
-        if (answer["type"] == type)
-          found.push_back(answer);
-      return found;
-    }
-    std::vector<std::string> alarms() const
+    std::vector<nlohmann::json> of_type(const std::string &type) const { return lines_of_type(answers, type); }
+    std::vector<std::string>    alarms() const
     {
       std::vector<std::string> names;
       for (const nlohmann::json &alarm : of_type("alarm"))

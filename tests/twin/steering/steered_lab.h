@@ -52,14 +52,7 @@ namespace swimtwin
                       [&](double) { return std::exchange(said, {}); }});
     }
 
-    std::vector<nlohmann::json> of_type(const std::string &type) const
-    {
-      std::vector<nlohmann::json> found;
-      for (const nlohmann::json &answer : answers)
-        if (answer["type"] == type)
-          found.push_back(answer);
-      return found;
-    }
+    std::vector<nlohmann::json> of_type(const std::string &type) const { return lines_of_type(answers, type); }
 
     /// Distance of the head's true mean position over the last period from the laid path, at each instant on it (m).
     std::vector<double> distances_m() const
