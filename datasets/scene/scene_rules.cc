@@ -1,16 +1,17 @@
 #include <datasets/scene/inertia_terms.h>
+#include <datasets/scene/mesh_rules.h>
 #include <datasets/scene/mirror_plane.h>
 #include <datasets/scene/scene_names.h>
 #include <datasets/scene/scene_rules.h>
 #include <datasets/scene/scene_surfaces.h>
 #include <datasets/scene/swimmer_clearance.h>
+#include <datasets/scene/tail_rules.h>
 #include <datasets/text/toml_document.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace swimtwin
 {
@@ -293,134 +294,6 @@ namespace swimtwin
       check_moving_domain(document, scene);
     }
 
-    /// A film goes with a cylinder, in whose back it is clamped.
-    void check_section(const TomlDocument &document, const Scene &scene)
-    {
-      const Tail &tail = *scene.tail;
-      if (tail.section == TailSection::circular)
-        return refuse_entry(document, "tail", "width_m",
-                            "belongs to a rectangular section; remove it, or add section = \"rectangular\".");
-      if (scene.dimension == 2)
-        document.refuse("tail", "section",
-                        "is for three dimensions: in two a tail is as wide as the depth; remove it.");
-      need_entry(document, "tail", "width_m", "a rectangular section needs it, in m");
-      if (scene.head.shape != HeadShape::rectangle)
-        document.refuse("tail", "section",
-                        "needs a head with a flat back; set [head] shape = \"cylinder\", or use \"circular\".");
-      if (tail.tip != TipShape::flat || !tail.profile_m.empty())
-        document.refuse("tail", tail.profile_m.empty() ? "tip" : "profile_m",
-                        "is for a circular section; a rectangular one has straight sides and a flat tip: remove it.");
-      const double corner = std::hypot(tail.width_m, tail.root_height_m);
-      if (corner > 0.99 * scene.head.size_m[1])
-        document.refuse(
-            "tail", "width_m",
-            fmt::format("m gives a root whose corners are {:.4g} m apart, which does not fit in the back of "
-                        "the head ({} m); reduce it, or enlarge the head.",
-                        corner, scene.head.size_m[1]));
-    }
-
-    void check_tail_entries(const TomlDocument &document, const Tail &tail)
-    {
-      if (tail.profile_m.empty())
-        return;
-      for (const char *key : {"length_m", "root_height_m", "tip_height_m"})
-        refuse_entry(document, "tail", key, "does not go with profile_m, which says it; remove one of both.");
-      const auto refuse = [&](const std::string &reason) { document.refuse("tail", "profile_m", reason); };
-      if (tail.profile_m.size() < 2)
-        refuse("has one point; give at least two, from the head to the tip.");
-      if (tail.profile_m.front()[0] != 0.)
-        refuse(fmt::format("begins at {} m; its first distance must be 0, where the head ends.",
-                           tail.profile_m.front()[0]));
-      for (std::size_t i = 0; i < tail.profile_m.size(); ++i)
-      {
-        const auto &[x, half_height] = tail.profile_m[i];
-        if (half_height <= 0.)
-          refuse(fmt::format("has the radius {} m at {} m; every radius must be positive: end the tail before.",
-                             half_height, x));
-        if (i > 0 && x <= tail.profile_m[i - 1][0])
-          refuse(fmt::format("goes from {} m to {} m; distances must grow from point to point.",
-                             tail.profile_m[i - 1][0], x));
-      }
-    }
-
-    /// Whether the curved sides stay out of the head's ellipse.
-    bool profile_leaves_the_head(const Head &head, const TailOutline &tail)
-    {
-      constexpr int n_samples = 400;
-      const double  a = 0.5 * head.size_m[0], b = 0.5 * head.size_m[1];
-      for (int i = 1; i <= n_samples; ++i)
-      {
-        const double x = tail.x_root_m + (tail.x_end_m - tail.x_root_m) * i / n_samples;
-        if (std::hypot(x / a, tail.half_height_m(x) / b) <= 1.)
-          return false;
-      }
-      return true;
-    }
-
-    /// The sides start on the head's curve and must leave it: their direction points out of the ellipse.
-    bool sides_leave_the_head(const Head &head, const Tail &tail)
-    {
-      if (head.shape == HeadShape::rectangle)
-        return true;
-      const TailOutline sides = tail_outline(head, tail);
-      if (!tail.profile_m.empty())
-        return profile_leaves_the_head(head, sides);
-      const double a = 0.5 * head.size_m[0], b = 0.5 * head.size_m[1];
-      const double dx = sides.x_end_m - sides.x_root_m, dy = 0.5 * (tail.tip_height_m - tail.root_height_m);
-      return dx * sides.x_root_m / (a * a) + dy * 0.5 * tail.root_height_m / (b * b) > 0.;
-    }
-
-    /// Sine of the angle between the head's surface and the sides where they leave it; 1 on a flat back.
-    double opening_at_root(const Head &head, const Tail &tail)
-    {
-      if (head.shape == HeadShape::rectangle)
-        return 1.;
-      const TailOutline sides = tail_outline(head, tail);
-      const double      a = 0.5 * head.size_m[0], b = 0.5 * head.size_m[1], x = sides.x_root_m,
-                   step = 1e-3 * (sides.x_end_m - x), y = 0.5 * tail.root_height_m;
-      const double rise = sides.half_height_m(x + step) - y, nx = x / (a * a), ny = y / (b * b);
-      return (nx * step + ny * rise) / (std::hypot(nx, ny) * std::hypot(step, rise));
-    }
-
-    /// In space a wedge as thin as that has no sound elements with curved faces.
-    void check_wedge(const TomlDocument &document, const Head &head, const Tail &tail)
-    {
-      constexpr double least = 0.15;
-      if (const double opening = opening_at_root(head, tail); opening < least)
-        document.refuse(
-            "tail", tail.profile_m.empty() ? "root_height_m" : "profile_m",
-            fmt::format("{}lets the tail leave the head's surface at an angle of {:.2g} degrees, too thin a "
-                        "wedge to be meshed; at least {:.2g} degrees are needed: reduce it, or taper less.",
-                        tail.profile_m.empty() ? "m " : "", std::asin(opening) * 180. / std::numbers::pi,
-                        std::asin(least) * 180. / std::numbers::pi));
-    }
-
-    void check_tail(const TomlDocument &document, const Head &head, const Tail &tail)
-    {
-      const bool        is_straight = tail.profile_m.empty();
-      const std::string root        = is_straight ? "root_height_m" : "profile_m";
-      if (tail.root_height_m > head.size_m[1])
-        document.refuse("tail", root,
-                        fmt::format("{} is larger than the head's height of {} m; the tail must start on the head.",
-                                    is_straight ? "m" : fmt::format("begins {} m high, which", tail.root_height_m),
-                                    head.size_m[1]));
-      if (is_straight && tail.tip_height_m > tail.root_height_m)
-        document.refuse("tail", "tip_height_m",
-                        fmt::format("m is larger than root_height_m = {} m; a tail does not widen towards its tip.",
-                                    tail.root_height_m));
-      if (tail.tip == TipShape::rounded && 0.5 * tail.tip_height_m >= tail.length_m)
-        document.refuse(
-            "tail", "tip_height_m",
-            fmt::format("m gives a rounded tip of radius {} m that is not shorter than the tail (length_m = {} "
-                        "m); reduce it.",
-                        0.5 * tail.tip_height_m, tail.length_m));
-      if (!sides_leave_the_head(head, tail))
-        document.refuse("tail", root,
-                        fmt::format("{}lets the tail's tapering sides cut into the head's curve; reduce it, or taper "
-                                    "less.",
-                                    is_straight ? "m " : ""));
-    }
-
     void check_clearance(const TomlDocument &document, const Scene &scene)
     {
       const Clearance clearance = swimmer_clearance(scene);
@@ -452,75 +325,6 @@ namespace swimtwin
                         fmt::format("of {} steps gives {:.6g} steps; choose a whole number of steps.",
                                     time.steps_per_period, n_steps));
     }
-
-    void check_mesh_sizes(const TomlDocument &document, const Numerics &numerics)
-    {
-      if (numerics.mesh_size_corner_m > numerics.mesh_size_m)
-        document.refuse(
-            "numerics", has(document, "numerics", "mesh_size_corner_m") ? "mesh_size_corner_m" : "mesh_size_m",
-            fmt::format("m: the mesh size at corners ({} m) is larger than on the surface ({} m); reduce it.",
-                        numerics.mesh_size_corner_m, numerics.mesh_size_m));
-      if (numerics.mesh_size_far_m < numerics.mesh_size_m)
-        document.refuse(
-            "numerics", has(document, "numerics", "mesh_size_far_m") ? "mesh_size_far_m" : "mesh_size_m",
-            fmt::format("m: the mesh size far away ({} m) is smaller than on the surface ({} m); enlarge it.",
-                        numerics.mesh_size_far_m, numerics.mesh_size_m));
-    }
-
-    /// Along x, y and, in space, z.
-    std::array<double, 3> extent_m(const Domain &domain)
-    {
-      const double diameter = 2. * domain.radius_m;
-      if (domain.shape == DomainShape::cylinder)
-        return {domain.size_m[0], diameter, diameter};
-      return diameter > 0. ? std::array{diameter, diameter, diameter}
-                           : std::array{domain.size_m[0], domain.size_m[1], domain.size_z_m};
-    }
-
-    /// About as many triangles as the fluid's mesh would have: of equal sides, which grow with the distance from the
-    /// body.
-    double expected_triangles(const Scene &scene)
-    {
-      const Numerics &sizes  = scene.numerics;
-      const auto [x, y, z]   = extent_m(*scene.domain);
-      const double area      = x * y;
-      const double perimeter = 2. * (scene.body_length_m() + scene.head.size_m[1]);
-      const double near =
-          std::min(perimeter / (sizes.mesh_growth * sizes.mesh_size_m), area / (sizes.mesh_size_m * sizes.mesh_size_m));
-      const double shape = 0.25 * std::sqrt(3.); // area of such a triangle over the square of its side
-      return (near + area / (sizes.mesh_size_far_m * sizes.mesh_size_far_m)) / shape;
-    }
-
-    /// The same of tetrahedra: as many per volume as have the wanted edge.
-    double expected_tetrahedra(const Scene &scene)
-    {
-      const Numerics &sizes = scene.numerics;
-      const auto [x, y, z]  = extent_m(*scene.domain);
-      const double volume = x * y * z, h = sizes.mesh_size_m, far = sizes.mesh_size_far_m;
-      const double perimeter = std::numbers::pi * scene.head.size_m[1];
-      const double near =
-          std::min(scene.body_length_m() * perimeter / (2. * sizes.mesh_growth * h * h), volume / (h * h * h));
-      const double shape = std::sqrt(2.) / 12.; // volume of such a tetrahedron over the cube of its edge
-      return (near + volume / (far * far * far)) / shape;
-    }
-
-    void check_mesh_extent(const TomlDocument &document, const Scene &scene)
-    {
-      const bool       in_space = scene.dimension == 3;
-      const double     n_most   = in_space ? 3e6 : 1e7; // no machine has the memory for more
-      constexpr double longest  = 1e6;                  // body lengths: beyond, coordinates of the body are round-off
-      if (!scene.domain)
-        return;
-      const auto [x, y, z] = extent_m(*scene.domain);
-      if (const double extent = std::max({x, y, z}) / scene.body_length_m(); extent > longest)
-        document.refuse("domain", "",
-                        fmt::format("is {:.3g} body lengths long; at most {:.0e} are possible.", extent, longest));
-      if (const double n = in_space ? expected_tetrahedra(scene) : expected_triangles(scene); !(n <= n_most))
-        document.refuse("numerics", has(document, "numerics", "mesh_size_far_m") ? "mesh_size_far_m" : "mesh_size_m",
-                        fmt::format("m would make a mesh of about {:.1g} {}; at most {:.0e} are possible: "
-                                    "enlarge mesh_size_m and mesh_size_far_m, or make [domain] smaller.",
-                                    n, in_space ? "tetrahedra" : "triangles", n_most));
-    }
   } // namespace
 
   void check_dimension(const TomlDocument &document, const int dimension)
@@ -533,10 +337,7 @@ namespace swimtwin
   {
     check_head_entries(document, scene.head, scene.dimension);
     if (scene.tail)
-    {
-      check_section(document, scene);
-      check_tail_entries(document, *scene.tail);
-    }
+      check_tail_entries(document, scene);
     if (scene.domain)
       check_domain_entries(document, *scene.domain);
   }
@@ -615,11 +416,7 @@ namespace swimtwin
     check_given_motion(document, scene);
     check_space(document, scene);
     if (scene.tail)
-    {
-      check_tail(document, scene.head, *scene.tail);
-      if (scene.dimension == 3)
-        check_wedge(document, scene.head, *scene.tail);
-    }
+      check_tail(document, scene);
     if (scene.domain)
     {
       check_walls(document, scene);
@@ -628,7 +425,6 @@ namespace swimtwin
     }
     check_symmetry(document, scene);
     check_time(document, scene);
-    check_mesh_sizes(document, scene.numerics);
-    check_mesh_extent(document, scene);
+    check_mesh(document, scene);
   }
 } // namespace swimtwin

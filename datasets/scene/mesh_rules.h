@@ -1,0 +1,13 @@
+// The rules of a mesh before there is one: its sizes, and how large it would be. Each throws InputError as those of
+// datasets/scene/scene_rules.h do.
+#pragma once
+
+#include <datasets/scene/scene.h>
+
+namespace swimtwin
+{
+  class TomlDocument;
+
+  /// Of a complete scene.
+  void check_mesh(const TomlDocument &document, const Scene &scene);
+} // namespace swimtwin
