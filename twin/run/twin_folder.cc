@@ -32,7 +32,7 @@ namespace swimtwin
     long cut_to_whole_lines(const fs::path &file)
     {
       std::error_code error;
-      if (!fs::exists(file, error))
+      if (const auto size = fs::file_size(file, error); error || size == 0) // no alarm yet, or just saved
         return 0;
       const std::string content = read_content(file, "the twin's file");
       const std::size_t end     = content.rfind('\n');

@@ -43,8 +43,9 @@ namespace swimtwin
   std::string                  smoothed_line(const SwimmerTwin &twin, double time_s, const Belief &belief);
   std::string                  open_line(double time_s, const std::vector<UnlearnedDirection> &directions);
   std::string                  alarm_line(const Alarm &alarm, double time_s);
-  inline constexpr const char *play_line_start = R"({"type":"play",)", *alarm_line_start = R"({"type":"alarm",)";
-  std::string                  play_line(const PlayRecord &record);
+  inline constexpr const char *play_line_start = R"({"type":"play",)", *alarm_line_start = R"({"type":"alarm",)",
+                              *path_line_start = R"({"type":"path",)";
+  std::string play_line(const PlayRecord &record);
   /// Where the path was laid; all that is said of it.
   std::string path_line(double time_s, const Path &path);
   /// After everything that a clock's line led to.

@@ -11,7 +11,8 @@ namespace swimtwin
 {
   namespace
   {
-    const std::string field   = "source = \"imagined\"\nsynthetic = true\n[field]\nbx_T = 4e-3\nby_T = 4e-3\n";
+    const std::string field   = "source = \"imagined\"\nsynthetic = true\nswimmer = \"s\"\nmeasured_by = \"m\"\n"
+                                "period = \"periodic\"\nbody_length_m = 8e-3\n[field]\nbx_T = 4e-3\nby_T = 4e-3\n";
     const std::string sidecar = field + "[camera]\nhead_first = [-1, 0]\nposition_sigma_m = 1e-5\n";
 
     /// A recording, line by line; times and places of the frames, and the sentences about wrong rows.
@@ -48,7 +49,7 @@ namespace swimtwin
       }
     };
 
-    std::string refusal(const std::string &table, const std::string &toml = "", const char *name = "film.csv")
+    std::string refusal_of_table(const std::string &table, const std::string &toml = "", const char *name = "film.csv")
     {
       return message_of<InputError>([&] { Played(table, toml, name); });
     }
@@ -114,10 +115,11 @@ namespace swimtwin
     for (int i = 0; i < 6; ++i)
       table += fmt::format("1,{},10,{},{}\n", 100 - i, i, i);
     table += "one,1,2,6,6\nNone,1,2,6,6\n,1,2,6,6\n1.5,1,2,6,6\n1,x,2,6,6\n1,1,2,NaN,NaN\n1,4,5,3,3\n1,94,10,7,7\n1,9";
-    const Played film(table,
-                      sidecar + "pixel_m = 5e-6\nframe_s = 0.04\n[[recording]]\nfile = \"film.csv\"\n"
-                                "frequency_Hz = 0.5\ntrack_id = 1\n",
-                      "film.csv", true);
+    const Played film(
+        table,
+        sidecar + "length_unit = \"pixel\"\npixel_m = 5e-6\nframe_s = 0.04\n[[recording]]\nfile = \"film.csv\"\n"
+                  "frequency_Hz = 0.5\ntrack_id = 1\n",
+        "film.csv", true);
     EXPECT_EQ(film.time_s.size(), 7u);
     film.expect_faults({"film.csv:8: TRACK_ID (column 1) = \"one\" is no number of a track; correct it",
                         "film.csv:11: TRACK_ID (column 1) = \"1.5\" is no number of a track",
@@ -149,16 +151,16 @@ namespace swimtwin
 
   TEST(RecordedLines, RefuseWhatIsWrongAsAWhole)
   {
-    expect_in(refusal(""), "the file is empty");
-    expect_in(refusal("", "", "film.jsonl"), "the file is empty");
-    expect_in(refusal(log_header), "film.csv:1: there are no rows; a log needs a row per frame.");
-    expect_in(refusal(std::string("\x89PNG\r\n\x1a\n\0\0\0\r", 12)), "film.csv");
+    expect_in(refusal_of_table(""), "the file is empty");
+    expect_in(refusal_of_table("", "", "film.jsonl"), "the file is empty");
+    expect_in(refusal_of_table(log_header), "film.csv:1: there are no rows; a log needs a row per frame.");
+    expect_in(refusal_of_table(std::string("\x89PNG\r\n\x1a\n\0\0\0\r", 12)), "film.csv");
     // Nothing is left: then it is said why.
-    const std::string nothing = refusal(log_header + "nan,4e-3,1e-3,0,0\n0,4e-3,1e-3\n");
+    const std::string nothing = refusal_of_table(log_header + "nan,4e-3,1e-3,0,0\n0,4e-3,1e-3\n");
     expect_in(nothing, "film.csv:2: time_s (column 1) = \"nan\" is not a finite number");
     expect_in(nothing, "film.csv:3: this row has 3 values");
     expect_in(nothing, "there are no rows");
-    expect_in(refusal("time_s,x_m,y_m\n0,0,0\n"), "the recording has no field");
+    expect_in(refusal_of_table("time_s,x_m,y_m\n0,0,0\n"), "the recording has no field");
   }
 
   TEST(RecordedLines, ThrowLongLinesAwayAndCutLongCellsInSentences)
