@@ -31,11 +31,18 @@ namespace swimtwin
   {
     /// Largest unsteady group that is computed without being asked for, and that is not warned of.
     constexpr double largest_unsteady_group = 2., noticed_share = 0.01;
+    /// Error of displacements with inertia, of which `share` comes from it (docs/study.md, section 6).
+    constexpr double largest_carried_error = 0.05;
+    double           error_of_carried(const double share, const double unsteady_group)
+    {
+      return share * (0.13 + 0.04 * unsteady_group);
+    }
 
     struct SweepCommand
     {
       CommonOptions common;
       std::string   model;
+      std::string   inertia; ///< "none", "auto", "full"; empty: as the scene has it
       std::string   frequency, young_modulus, viscosity, magnetization, bx, by; ///< as typed; empty: the scene's own
       int           n_modes = 0, n_threads = 0;
       double        relative_tolerance = IntegratorOptions().relative_tolerance;
@@ -70,8 +77,19 @@ namespace swimtwin
       return command.n_modes > 0 ? truncated(model, command.n_modes) : model;
     }
 
-    /// The quasi-static model neglects inertia: refuse where it cannot be right, warn where it is not small.
-    std::string inertia_doubt(const Scene &scene, const SweepAxes &axes, const RunRequest &base, const bool allowed)
+    /// The member of a sweep that needs inertia most.
+    struct InertialExtreme
+    {
+      double frequency_Hz, viscosity_Pa_s, young_modulus_Pa;
+
+      double        group(const Scene &scene) const { return unsteady_group(scene, frequency_Hz, viscosity_Pa_s); }
+      InertiaShares shares(const Scene &scene) const
+      {
+        return inertia_shares(scene, frequency_Hz, viscosity_Pa_s, young_modulus_Pa);
+      }
+    };
+
+    InertialExtreme extreme_of(const SweepAxes &axes, const RunRequest &base)
     {
       const auto largest = [](const std::vector<double> &v, const double otherwise) {
         return v.empty() ? otherwise : *std::max_element(v.begin(), v.end());
@@ -79,17 +97,58 @@ namespace swimtwin
       const auto smallest = [](const std::vector<double> &v, const double otherwise) {
         return v.empty() ? otherwise : *std::min_element(v.begin(), v.end());
       };
-      const double frequency = largest(axes.frequency_Hz, base.drive.frequency_Hz);
-      const double viscosity = smallest(axes.viscosity_Pa_s, base.parameters.viscosity_Pa_s);
-      const double modulus   = largest(axes.young_modulus_Pa, base.parameters.young_modulus_Pa);
-      const double group     = unsteady_group(scene, frequency, viscosity);
-      const double share     = inertia_shares(scene, frequency, viscosity, modulus).together();
+      return {largest(axes.frequency_Hz, base.drive.frequency_Hz),
+              smallest(axes.viscosity_Pa_s, base.parameters.viscosity_Pa_s),
+              largest(axes.young_modulus_Pa, base.parameters.young_modulus_Pa)};
+    }
+
+    /// What of the inertia all members carry: what the scene asks for, as far as the model has it. "auto" keeps all
+    /// of it as soon as one of them needs a term.
+    InertiaTerms terms_of(const SweepCommand &command, const Scene &scene, const ReducedModel &model,
+                          const InertialExtreme &extreme)
+    {
+      if (!model.inertia.is_given() && command.inertia != "full") // which is refused
+        return {};
+      const InertiaTerms terms = inertia_terms(scene, extreme.shares(scene));
+      if (scene.fluid->inertia == Inertia::automatic && terms.any())
+        return {.unsteady = true, .convective = true, .tail = true, .head = true}; // all cost the same as one
+      return terms;
+    }
+
+    /// Inertia that is left out, or carried too far: refuse where the model cannot be right, warn where the error is
+    /// not small.
+    std::string inertia_doubt(const Scene &scene, const InertiaTerms &carried, const InertialExtreme &extreme,
+                              const bool allowed)
+    {
+      const double  group  = extreme.group(scene);
+      InertiaShares shares = extreme.shares(scene);
+      if (carried.of_fluid())
+        shares.fluid = 0.;
+      if (carried.tail)
+        shares.tail = 0.;
+      if (carried.head)
+        shares.head = 0.;
+      const double share                          = shares.together();
+      const auto &[frequency, viscosity, modulus] = extreme;
+      if (const double error = error_of_carried(extreme.shares(scene).together(), group);
+          carried.of_fluid() && error > noticed_share)
+      {
+        const std::string far = fmt::format(
+            "at {:.4g} Hz, {:.4g} Pa s and {:.4g} Pa the unsteady group 2 pi rho f L^2 / mu is {:.3g}, inertia is an "
+            "estimated {:.2g} % of the displacement, and the reduced swimmer knows it to some {:.2g} % of the "
+            "displacement",
+            frequency, viscosity, modulus, group, 100. * extreme.shares(scene).together(), 100. * error);
+        if (error > largest_carried_error && !allowed)
+          throw InputError(far + "; lower --frequency or raise --viscosity, or say --allow-inertia to compute them all "
+                                 "the same.");
+        return far;
+      }
       if (share <= noticed_share)
         return {};
       const std::string finding = fmt::format(
           "at {:.4g} Hz, {:.4g} Pa s and {:.4g} Pa the unsteady group 2 pi rho f L^2 / mu is {:.3g}, and the "
-          "reduced swimmer neglects inertia, an estimated {:.2g} % of the displacement",
-          frequency, viscosity, modulus, group, 100. * share);
+          "reduced swimmer neglects {}, an estimated {:.2g} % of the displacement",
+          frequency, viscosity, modulus, group, carried.any() ? "part of the inertia" : "inertia", 100. * share);
       if (group > largest_unsteady_group && !allowed)
         throw InputError(
             fmt::format("{}: above {} its displacements are wrong; lower --frequency or raise --viscosity, or "
@@ -171,10 +230,16 @@ namespace swimtwin
 
     SweepSetup set_up(const SweepCommand &command, const SweepAxes &axes)
     {
-      SweepSetup setup{load_model(command), {}, {}, {}};
-      setup.scene             = parse_scene(setup.model.scene_text, setup.model.scene_name + ".toml");
-      setup.options           = options_of(command, setup.scene, setup.model);
-      const std::string doubt = inertia_doubt(setup.scene, axes, setup.options.base, command.allow_inertia);
+      SweepSetup               setup{load_model(command), {}, {}, {}};
+      std::vector<std::string> overrides;
+      if (!command.inertia.empty())
+        overrides.push_back("fluid.inertia=" + command.inertia);
+      setup.scene                   = parse_scene(setup.model.scene_text, setup.model.scene_name + ".toml", overrides);
+      setup.options                 = options_of(command, setup.scene, setup.model);
+      const InertialExtreme extreme = extreme_of(axes, setup.options.base);
+      const InertiaTerms    terms   = terms_of(command, setup.scene, setup.model, extreme);
+      setup.options.densities       = inertial_densities(setup.scene, terms);
+      const std::string doubt       = inertia_doubt(setup.scene, terms, extreme, command.allow_inertia);
       if (!doubt.empty())
         setup.record.warnings.push_back(doubt);
       return setup;
@@ -258,7 +323,10 @@ namespace swimtwin
         ->capture_default_str();
     verb->add_option("--threads", command->n_threads, "Number of threads; 0: as many as there are cores")
         ->check(CLI::Range(0, 4096));
-    verb->add_flag("--allow-inertia", command->allow_inertia, "Compute where the neglected inertia is not small, too");
+    verb->add_option("--inertia", command->inertia, "none, auto or full, in the place of the scene's [fluid] inertia")
+        ->check(CLI::IsMember({"none", "auto", "full"}));
+    verb->add_flag("--allow-inertia", command->allow_inertia,
+                   "Compute where the neglected inertia is not small, too, or where the fluid's is carried too far");
     add_output_options(*verb, command->common, OutputFolder::required);
     command->common.command_line = command_line;
     return [command, verb] {

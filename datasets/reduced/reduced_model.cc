@@ -103,6 +103,31 @@ namespace swimtwin
         half = half(kept, Eigen::seqN(0, n * (n + 1) / 2)).eval();
       return some;
     }
+
+    InertiaPolynomials leading_modes(const InertiaPolynomials &all, const int r, const int k,
+                                     const std::vector<int> &features)
+    {
+      const int        n = r + 3, m = k + 3, n_pairs = n * (n + 1) / 2, m_pairs = m * (m + 1) / 2;
+      std::vector<int> quadratic;
+      for (int i = 0; i < m; ++i)
+        for (int pair = 0; pair < m_pairs; ++pair)
+          quadratic.push_back(i * n_pairs + pair);
+      return {all.factor_at_rest.topLeftCorner(m, m), all.mass(features, Eigen::seqN(0, m_pairs)),
+              all.quadratic(features, quadratic)};
+    }
+
+    ReducedInertia leading_modes(const ReducedInertia &all, const int r, const int k)
+    {
+      if (!all.is_given())
+        return all;
+      const std::vector<int> kept = features_without_modes_from(all.exponents, k, r);
+      std::vector<int>       coordinates;
+      for (int i = 0; i < all.exponents.cols(); ++i)
+        if (i < k || i >= r)
+          coordinates.push_back(i);
+      return {all.exponents(kept, coordinates), leading_modes(all.fluid, r, k, kept),
+              leading_modes(all.tail, r, k, kept), all.head_area_m2, all.head_second_moment_m4};
+    }
   } // namespace
 
   double saturated(const double rho)
@@ -116,6 +141,14 @@ namespace swimtwin
       return 1.;
     const double t = std::tanh((rho - 1.) / saturation_width);
     return 1. - t * t;
+  }
+
+  double saturated_curvature(const double rho)
+  {
+    if (rho <= 1.)
+      return 0.;
+    const double t = std::tanh((rho - 1.) / saturation_width);
+    return -2. * t * (1. - t * t) / saturation_width;
   }
 
   ReducedModel truncated(const ReducedModel &model, const int n_modes)
@@ -132,6 +165,7 @@ namespace swimtwin
     few.magnet              = of_amplitudes(model.magnet, amplitudes);
     few.area                = of_amplitudes(model.area, amplitudes);
     few.resistance          = leading_modes(model.resistance, r, n_modes);
+    few.inertia             = leading_modes(model.inertia, r, n_modes);
     return few;
   }
 } // namespace swimtwin

@@ -118,9 +118,36 @@ namespace swimtwin
     int n_pose_coordinates() const { return depends_on_angle + depends_on_height; }
   };
 
+  /// Inertia of one material at unit density, per unit depth: with velocities xi it answers by the force
+  ///
+  ///   M dxi/dt + 1/2 dM/dt xi + (xi . N_i xi)_i,   xi_i N_i,jk summed over the permutations of i, j, k is zero,
+  ///
+  /// so that its power is the rate of the kinetic energy xi . M xi / 2. M = L L^T with L = L_0 C(z) like the
+  /// resistance, positive definite for every z; z are the variables of the resistance, and one monomial is one row.
+  struct InertiaPolynomials
+  {
+    Eigen::MatrixXd factor_at_rest; ///< L_0, n x n, lower triangular
+    Eigen::MatrixXd mass;           ///< of C, columns as those of the resistance's coefficients, log on the diagonal
+    Eigen::MatrixXd quadratic; ///< column i n (n + 1) / 2 + j (j + 1) / 2 + k: coefficient of xi_j xi_k, k <= j, in i
+
+    bool are_given() const { return mass.size() > 0; }
+  };
+
+  /// Of the fluid as the Stokes flows carry it (right to first order in its density) and of the body. The head is rigid
+  /// and moves about its own centre. Absent where it was not trained.
+  struct ReducedInertia
+  {
+    Eigen::MatrixXi    exponents; ///< n_features x coordinates of the resistance
+    InertiaPolynomials fluid, tail;
+    double             head_area_m2 = 0., head_second_moment_m4 = 0.;
+
+    bool is_given() const { return exponents.rows() > 0; }
+  };
+
   /// Where radius rho >= 0 is evaluated: rho itself up to 1, then smoothly (twice differentiable) towards 1.1.
   double saturated(double rho);
   double saturated_slope(double rho); ///< its derivative
+  double saturated_curvature(double rho);
 
   struct Interval
   {
@@ -161,13 +188,14 @@ namespace swimtwin
 
   struct ReducedModel
   {
-    static constexpr int format_version = 2; ///< the newest; 1 knows no polynomials of shapes
+    static constexpr int format_version = 3; ///< the newest; 1 knows no polynomials of shapes, 2 no inertia
 
     ReducedTail       tail;
     ReducedElasticity elasticity;
     ReducedMagnet     magnet;
     ReducedArea       area;
     ReducedResistance resistance;
+    ReducedInertia    inertia = {};
     TrainedRange      range;
     TrainingRecord    record;
     std::string       scene_name, scene_text; ///< the scene it was trained on: nominal parameters, field, time

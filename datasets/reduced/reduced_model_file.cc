@@ -116,10 +116,36 @@ namespace swimtwin
       writer.write_attribute("/resistance", "height_scale_m", resistance.height_scale_m);
     }
 
+    void write_inertia(Hdf5Writer &writer, const ReducedInertia &inertia)
+    {
+      if (!inertia.is_given())
+        return;
+      writer.write_matrix("/inertia/exponents", inertia.exponents,
+                          {"1", "one monomial per row: exponents of the resistance's variables"});
+      for (const auto &[name, material] :
+           {std::pair<std::string, const InertiaPolynomials &>{"fluid", inertia.fluid}, {"tail", inertia.tail}})
+      {
+        writer.write_matrix("/inertia/" + name + "_factor_at_rest", material.factor_at_rest,
+                            {"m to m^2", "L_0 of M = L_0 C C^T L_0^T at unit density, per unit depth"});
+        writer.write_matrix(
+            "/inertia/" + name + "_mass", material.mass,
+            {"1", "one monomial per row; column i (i + 1) / 2 + j is entry (i, j) of C, log on the diagonal"});
+        writer.write_matrix("/inertia/" + name + "_quadratic", material.quadratic,
+                            {"m^2 to m^4 (per m)",
+                             "force i by velocities j and k, k <= j, at i n (n + 1) / 2 + j (j + 1) / 2 + k, beside "
+                             "half of dM/dt; unit density"});
+      }
+      writer.write_attribute("/inertia", "head_area_m2", inertia.head_area_m2);
+      writer.write_attribute("/inertia", "head_second_moment_m4", inertia.head_second_moment_m4);
+    }
+
     /// The oldest one that has what the model has.
     int format_version_of(const ReducedModel &model)
     {
-      return model.tail.amplitudes.are_given() || model.resistance.depends_on_height ? ReducedModel::format_version : 1;
+      constexpr int with_polynomials = 2;
+      if (model.inertia.is_given())
+        return ReducedModel::format_version;
+      return model.tail.amplitudes.are_given() || model.resistance.depends_on_height ? with_polynomials : 1;
     }
 
     void require_format(const Hdf5Reader &reader, const std::filesystem::path &file)
@@ -128,7 +154,7 @@ namespace swimtwin
         throw InputError(fmt::format(
             "{} is an HDF5 file, but not a reduced model; give one that `swimtwin train` made.", file.string()));
       const double version = reader.read_number_attribute("/", "format_version");
-      if (version != 1 && version != ReducedModel::format_version)
+      if (version != 1 && version != 2 && version != ReducedModel::format_version)
         throw InputError(
             fmt::format("{} is a reduced model of format version {}, and this program reads versions 1 to {}; "
                         "train it again with this program, or use the one that made it.",
@@ -219,6 +245,20 @@ namespace swimtwin
       return resistance;
     }
 
+    ReducedInertia read_inertia(const Hdf5Reader &reader)
+    {
+      if (!reader.contains("/inertia/exponents"))
+        return {};
+      const auto material = [&](const std::string &name) {
+        return InertiaPolynomials{reader.read_matrix("/inertia/" + name + "_factor_at_rest"),
+                                  reader.read_matrix("/inertia/" + name + "_mass"),
+                                  reader.read_matrix("/inertia/" + name + "_quadratic")};
+      };
+      return {reader.read_int_matrix("/inertia/exponents"), material("fluid"), material("tail"),
+              reader.read_number_attribute("/inertia", "head_area_m2"),
+              reader.read_number_attribute("/inertia", "head_second_moment_m4")};
+    }
+
     TrainedRange read_range(const Hdf5Reader &reader)
     {
       TrainedRange range;
@@ -246,6 +286,7 @@ namespace swimtwin
     write_magnet(writer, model.magnet);
     write_area(writer, model.area);
     write_resistance(writer, model.resistance);
+    write_inertia(writer, model.inertia);
     for_each_interval(model.range, [&](const char *path, const char *units, const Interval &interval) {
       writer.write_vector(path, std::array{interval.low, interval.high},
                           {units, "lowest and highest value in training"});
@@ -267,6 +308,7 @@ namespace swimtwin
     model.area       = {reader.read_number_attribute("/area", "is_kept") != 0., read_column(reader, "/area/linear_m"),
                         reader.read_matrix("/area/quadratic")};
     model.resistance = read_resistance(reader);
+    model.inertia    = read_inertia(reader);
     model.range      = read_range(reader);
     model.record     = read_training_record(reader);
     if (const ModelProblem problem = find_problem(model); !problem.path.empty())

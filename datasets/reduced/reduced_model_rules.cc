@@ -145,6 +145,33 @@ namespace swimtwin
         rules.require_size("/resistance/half_fit", half, resistance.exponents.rows(), n * (n + 1) / 2);
     }
 
+    void check(Rules &rules, const ReducedInertia &inertia, const ReducedResistance &resistance, const int r)
+    {
+      if (!inertia.is_given())
+        return;
+      const int n = r + 3, n_pairs = n * (n + 1) / 2, n_features = static_cast<int>(inertia.exponents.rows());
+      rules.require_size("/inertia/exponents", inertia.exponents, n_features, r + resistance.n_pose_coordinates());
+      rules.require("/inertia/exponents", (inertia.exponents.array() >= 0).all(), "holds a negative exponent.");
+      for (const auto &[name, material] :
+           {std::pair<std::string, const InertiaPolynomials &>{"/inertia/fluid", inertia.fluid},
+            {"/inertia/tail", inertia.tail}})
+      {
+        const std::string factor = name + "_factor_at_rest", mass = name + "_mass", quadratic = name + "_quadratic";
+        rules.require_size(factor.c_str(), material.factor_at_rest, n, n);
+        if (rules.ok())
+          rules.require(factor.c_str(),
+                        material.factor_at_rest.isLowerTriangular(0.) &&
+                            (material.factor_at_rest.diagonal().array() > 0.).all(),
+                        "is not lower triangular with a positive diagonal.");
+        rules.require_size(mass.c_str(), material.mass, n_features, n_pairs);
+        rules.require_size(quadratic.c_str(), material.quadratic, n_features, n * n_pairs);
+      }
+      for (const auto &[name, value] : {std::pair{"head_area_m2", inertia.head_area_m2},
+                                        std::pair{"head_second_moment_m4", inertia.head_second_moment_m4}})
+        rules.require("/inertia", std::isfinite(value) && value >= 0.,
+                      fmt::format("has {} = {}; it must not be negative.", name, value));
+    }
+
     void check(Rules &rules, const TrainedRange &range)
     {
       for (const auto &[path, interval] : {std::pair{"/range/young_modulus_Pa", range.young_modulus_Pa},
@@ -170,6 +197,7 @@ namespace swimtwin
     check(rules, model.magnet, model.tail.n_amplitudes());
     check(rules, model.area, model.tail.n_amplitudes());
     check(rules, model.resistance, model.n_modes());
+    check(rules, model.inertia, model.resistance, model.n_modes());
     check(rules, model.range);
     return rules.problem();
   }

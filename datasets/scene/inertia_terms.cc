@@ -12,11 +12,11 @@ namespace swimtwin
   {
     constexpr InertiaTerms all_terms{.unsteady = true, .convective = true, .tail = true, .head = true};
 
-    InertiaTerms chosen_by_share(const Scene &scene)
+    InertiaTerms chosen_by_share(const Scene &scene, const InertiaShares &shares)
     {
       if (scene.numerics.coupling == CouplingScheme::fixed_point && scene.tail)
         return {};
-      const auto [fluid, tail, head] = inertia_shares(scene);
+      const auto [fluid, tail, head] = shares;
       const bool has_fluid           = fluid > negligible_share;
       return {.unsteady   = has_fluid,
               .convective = has_fluid,
@@ -24,7 +24,7 @@ namespace swimtwin
               .head       = head > negligible_share};
     }
 
-    InertiaTerms asked_for(const Scene &scene)
+    InertiaTerms asked_for(const Scene &scene, const InertiaShares &shares)
     {
       if (!scene.fluid)
         return {.tail = scene.tail && scene.tail->has_inertia_in_vacuum};
@@ -35,7 +35,7 @@ namespace swimtwin
       case Inertia::chosen:
         return scene.fluid->chosen;
       case Inertia::automatic:
-        return chosen_by_share(scene);
+        return chosen_by_share(scene, shares);
       case Inertia::none:
         return {};
       }
@@ -56,7 +56,12 @@ namespace swimtwin
 
   InertiaTerms inertia_terms(const Scene &scene)
   {
-    InertiaTerms terms = asked_for(scene);
+    return inertia_terms(scene, inertia_shares(scene));
+  }
+
+  InertiaTerms inertia_terms(const Scene &scene, const InertiaShares &shares)
+  {
+    InertiaTerms terms = asked_for(scene, shares);
     terms.tail         = terms.tail && scene.tail && !scene.time.is_steady;
     terms.head         = terms.head && scene.head.motion != HeadMotion::fixed && !scene.time.is_steady;
     return terms;

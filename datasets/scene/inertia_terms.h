@@ -10,6 +10,10 @@ namespace swimtwin
   /// vacuum it is [tail] inertia that asks.
   InertiaTerms inertia_terms(const Scene &scene);
 
+  struct InertiaShares;
+  /// The same where each term is estimated to be worth these shares.
+  InertiaTerms inertia_terms(const Scene &scene, const InertiaShares &shares);
+
   /// Their names in a scene file.
   std::vector<std::string> names_of(const InertiaTerms &terms);
 

@@ -82,6 +82,8 @@ namespace swimtwin
                           indicator_line(record.held_out_runs));
     for (const std::string &step : record.history)
       text += fmt::format("  training     {}\n", step);
+    if (model.inertia.is_given())
+      text += "  inertia      of fluid, tail and head: carried by `sweep`, left out by what else moves the model\n";
     for (const std::string &neglected : record.neglects)
       text += fmt::format("  neglects     {}\n", neglected);
     return text;

@@ -43,6 +43,11 @@ namespace swimtwin
         throw InputError(fmt::format("a derivative by the initial coordinate of mode {} was asked of a swimmer with {} "
                                      "modes.",
                                      index, swimmer.n_modes()));
+      else if (quantity == Quantity::initial_velocity &&
+               !(swimmer.has_inertia() && index >= 0 && index < swimmer.n_velocities()))
+        throw InputError(fmt::format("a derivative by initial velocity {} was asked of a swimmer with {} velocities in "
+                                     "its state.",
+                                     index, swimmer.has_inertia() ? swimmer.n_velocities() : 0));
   }
 
   void PhaseEquations::start(const RunRequest &request)
@@ -79,6 +84,7 @@ namespace swimtwin
     case Quantity::initial_angle:
       return 1.;
     case Quantity::initial_shape:
+    case Quantity::initial_velocity:
       return swimmer_.length_m();
     }
     return 1.;
@@ -92,6 +98,8 @@ namespace swimtwin
       sensitivity[2] = scale(parameter);
     if (quantity == Quantity::initial_shape)
       sensitivity[3 + index] = scale(parameter);
+    if (quantity == Quantity::initial_velocity)
+      sensitivity[swimmer_.n_velocities() + index] = scale(parameter);
   }
 
   void PhaseEquations::rate(const double phase, const State &state, Vector rate)
@@ -157,6 +165,7 @@ namespace swimtwin
       break;
     case Quantity::initial_angle:
     case Quantity::initial_shape:
+    case Quantity::initial_velocity:
       break;
     }
     rate /= drive_.frequency_Hz;
@@ -177,7 +186,12 @@ namespace swimtwin
 
   double PhaseEquations::elastic_energy_J_m(const State &state) const
   {
-    return values_.young_modulus_Pa * swimmer_.energy().value(state.tail(swimmer_.n_modes()));
+    return values_.young_modulus_Pa * swimmer_.energy().value(state.segment(3, swimmer_.n_modes()));
+  }
+
+  double PhaseEquations::kinetic_energy_J_m(const State &state) const
+  {
+    return swimmer_.kinetic_energy_J_m(state);
   }
 
   double PhaseEquations::work_scale_J_m() const

@@ -40,6 +40,7 @@ namespace swimtwin
     Eigen::Vector2d      field_T(const double phase) const { return drive_.field->value_T(phase, drive_.parameters); }
     const Drive         &drive() const { return drive_; }
     double               elastic_energy_J_m(const State &state) const;
+    double               kinetic_energy_J_m(const State &state) const;
     /// Energy (J/m) that the field can give or take: moment times field, the scale of all work.
     double work_scale_J_m() const;
 

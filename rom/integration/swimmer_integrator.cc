@@ -84,7 +84,7 @@ namespace swimtwin
         PhaseEquations       &equations = integrator_.equations();
         const ReducedSwimmer &swimmer   = equations.swimmer();
         const Eigen::VectorXd state     = integrator_.state_at(phase);
-        const ShapeVector     q         = state.tail(swimmer.n_modes());
+        const ShapeVector     q         = state.segment(3, swimmer.n_modes());
         const Eigen::Vector2d tip       = state.head<2>() + Eigen::Rotation2Dd(state[2]) * swimmer.tip().position_m(q);
         const Eigen::Vector2d b         = equations.field_T(phase);
         const SwimmerMotion  &motion    = equations.motion(phase, state);
@@ -124,7 +124,9 @@ namespace swimtwin
         const PhaseEquations &equations = integrator_.equations();
         run_.work.push_back({added[0], added[1],
                              equations.elastic_energy_J_m(run_.at_period_end.back()) -
-                                 equations.elastic_energy_J_m(*(run_.at_period_end.end() - 2))});
+                                 equations.elastic_energy_J_m(*(run_.at_period_end.end() - 2)),
+                             equations.kinetic_energy_J_m(run_.at_period_end.back()) -
+                                 equations.kinetic_energy_J_m(*(run_.at_period_end.end() - 2))});
         work_before_ = so_far;
       }
 
@@ -134,10 +136,11 @@ namespace swimtwin
         const ResistanceSurrogate &resistance = swimmer.resistance();
         const auto                 state      = integrator_.state();
         run_.largest_shape_radius =
-            std::max(run_.largest_shape_radius, resistance.shape_radius(state.tail(swimmer.n_modes())));
-        run_.largest_angle_radius  = std::max(run_.largest_angle_radius, resistance.angle_radius(state[2]));
-        run_.largest_height_radius = std::max(
-            run_.largest_height_radius, resistance.height_radius(state.tail(swimmer.n_modes()), state[2], state[1]));
+            std::max(run_.largest_shape_radius, resistance.shape_radius(state.segment(3, swimmer.n_modes())));
+        run_.largest_angle_radius = std::max(run_.largest_angle_radius, resistance.angle_radius(state[2]));
+        run_.largest_height_radius =
+            std::max(run_.largest_height_radius,
+                     resistance.height_radius(state.segment(3, swimmer.n_modes()), state[2], state[1]));
       }
 
       void count()

@@ -9,7 +9,7 @@ namespace swimtwin
   double PeriodWork::imbalance() const
   {
     const double reference = magnetic != 0. ? std::abs(magnetic) : std::abs(dissipated);
-    return reference > 0. ? (magnetic - dissipated - elastic_change) / reference : 0.;
+    return reference > 0. ? (magnetic - dissipated - elastic_change - kinetic_change) / reference : 0.;
   }
 
   std::vector<double> displacement_per_period(const SwimmerRun &run, const double heading_rad)

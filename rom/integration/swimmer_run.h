@@ -31,6 +31,7 @@ namespace swimtwin
   {
     double magnetic = 0., dissipated = 0.;
     double elastic_change = 0.; ///< of the stored energy
+    double kinetic_change = 0.; ///< of the kinetic energy, with inertia
 
     /// What does not add up, relative to the magnetic work, or to the dissipation where the field does none.
     double imbalance() const;
@@ -44,7 +45,7 @@ namespace swimtwin
     std::string failure; ///< one sentence
 
     std::vector<SwimmerState>    at_period_end;             ///< the initial state, then one per completed period
-    std::vector<Eigen::MatrixXd> sensitivity_at_period_end; ///< the same; (r + 3) x number of parameters, SI
+    std::vector<Eigen::MatrixXd> sensitivity_at_period_end; ///< the same; states x number of parameters, SI
     std::vector<PeriodWork>      work;                      ///< per period, if asked for
     Trajectory                   trajectory;
     std::vector<ReducedSnapshot> snapshots;                ///< of every row of the trajectory

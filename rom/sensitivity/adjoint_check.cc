@@ -28,6 +28,8 @@ namespace swimtwin
         return request.drive.parameters[parameter.index];
       case Quantity::initial_angle:
         return request.initial_state[2];
+      case Quantity::initial_velocity:
+        return request.initial_state[request.initial_state.size() / 2 + parameter.index];
       case Quantity::initial_shape:
         break;
       }

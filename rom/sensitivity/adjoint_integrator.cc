@@ -60,6 +60,8 @@ namespace swimtwin
       return by_initial_state[2];
     case Quantity::initial_shape:
       return by_initial_state[3 + parameter.index];
+    case Quantity::initial_velocity:
+      return by_initial_state[by_initial_state.size() / 2 + parameter.index];
     }
     return 0.;
   }

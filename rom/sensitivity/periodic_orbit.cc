@@ -16,11 +16,13 @@ namespace swimtwin
   {
     constexpr double largest_step = 0.5; // of Newton's method, rad or body lengths
 
-    std::vector<Parameter> initial_state(const int n_modes)
+    std::vector<Parameter> initial_state(const ReducedSwimmer &swimmer)
     {
       std::vector<Parameter> parameters = {{Quantity::initial_angle, 0}};
-      for (int k = 0; k < n_modes; ++k)
+      for (int k = 0; k < swimmer.n_modes(); ++k)
         parameters.push_back({Quantity::initial_shape, k});
+      for (int k = 0; swimmer.has_inertia() && k < swimmer.n_velocities(); ++k)
+        parameters.push_back({Quantity::initial_velocity, k});
       return parameters;
     }
 
@@ -52,11 +54,11 @@ namespace swimtwin
   PeriodicOrbitFinder::PeriodicOrbitFinder(const ReducedSwimmer &swimmer, const OrbitOptions &options)
       : swimmer_(swimmer), options_(options),
         differentiated_(swimmer, {.relative_tolerance         = options.relative_tolerance,
-                                  .sensitivities              = initial_state(swimmer.n_modes()),
+                                  .sensitivities              = initial_state(swimmer),
                                   .control_sensitivity_errors = options.exact_multipliers}),
         plain_(swimmer, {.relative_tolerance = options.relative_tolerance})
   {
-    std::vector<Parameter> all = initial_state(swimmer.n_modes());
+    std::vector<Parameter> all = initial_state(swimmer);
     all.insert(all.end(), options.parameters.begin(), options.parameters.end());
     if (!options.parameters.empty())
       parametric_.emplace(swimmer,
@@ -65,17 +67,29 @@ namespace swimtwin
 
   Eigen::VectorXd PeriodicOrbitFinder::scaled(const SwimmerState &state) const
   {
-    Eigen::VectorXd u = state.tail(swimmer_.n_modes() + 1);
-    u.tail(swimmer_.n_modes()) /= swimmer_.length_m();
-    return u;
+    return state.tail(swimmer_.n_states() - 2).cwiseQuotient(units());
   }
 
   SwimmerState PeriodicOrbitFinder::state_of(const Eigen::VectorXd &u) const
   {
-    SwimmerState state             = state_at_rest(swimmer_, u[0]);
-    state[1]                       = height_m_;
-    state.tail(swimmer_.n_modes()) = swimmer_.length_m() * u.tail(swimmer_.n_modes());
+    SwimmerState state   = state_at_rest(swimmer_);
+    state[1]             = height_m_;
+    state.tail(u.size()) = u.cwiseProduct(units());
     return state;
+  }
+
+  /// Of angle and shape, and of velocities: radians, body lengths and periods.
+  Eigen::VectorXd PeriodicOrbitFinder::units() const
+  {
+    const Eigen::Index n     = swimmer_.n_velocities();
+    Eigen::VectorXd    units = Eigen::VectorXd::Constant(swimmer_.n_states() - 2, swimmer_.length_m());
+    units[0]                 = 1.;
+    if (swimmer_.has_inertia())
+    {
+      units[n] = 1.;
+      units.tail(n) *= request_.drive.frequency_Hz;
+    }
+    return units;
   }
 
   PeriodicOrbitFinder::PeriodMap PeriodicOrbitFinder::map(const Eigen::VectorXd &start, SwimmerIntegrator &integrator)
@@ -89,10 +103,9 @@ namespace swimtwin
     period.drift_m = run.at_period_end.back().head<2>() - request_.initial_state.head<2>();
     if (!run.sensitivity_at_period_end.empty())
     {
-      const int r      = swimmer_.n_modes();
-      period.monodromy = run.sensitivity_at_period_end.back().bottomRows(r + 1);
-      period.monodromy.bottomRows(r) /= swimmer_.length_m();
-      period.monodromy.rightCols(r) *= swimmer_.length_m();
+      const Eigen::VectorXd u = units();
+      period.monodromy =
+          u.cwiseInverse().asDiagonal() * run.sensitivity_at_period_end.back().bottomRows(u.size()) * u.asDiagonal();
     }
     return period;
   }
@@ -231,7 +244,7 @@ namespace swimtwin
       return;
     }
     const Eigen::MatrixXd &S = run.sensitivity_at_period_end.back();
-    const Eigen::Index     n = swimmer_.n_modes() + 1, n_parameters = S.cols() - n;
+    const Eigen::Index     n = swimmer_.n_states() - 2, n_parameters = S.cols() - n;
     const Eigen::MatrixXd  Z = free_directions(swimmer_, orbit.start);
     const Eigen::MatrixXd  A = Z.transpose() * (Eigen::MatrixXd::Identity(n, n) - S.bottomLeftCorner(n, n)) * Z;
     const Eigen::MatrixXd  motion =

@@ -67,7 +67,7 @@ namespace swimtwin
     PeriodicOrbit find(const RunRequest &request);
 
   private:
-    /// One period: angle and shape (lengths per body length) at its end, and their derivatives by those at its start.
+    /// One period: angle, shape and velocities (in units()) at its end, and their derivatives by those at its start.
     struct PeriodMap
     {
       bool            completed = false;
@@ -80,6 +80,7 @@ namespace swimtwin
     PeriodMap       map(const Eigen::VectorXd &start, SwimmerIntegrator &integrator);
     Eigen::VectorXd scaled(const SwimmerState &state) const;
     SwimmerState    state_of(const Eigen::VectorXd &scaled) const;
+    Eigen::VectorXd units() const;
     Eigen::VectorXd newton_step(const Eigen::VectorXd &start, const PeriodMap &period) const;
     PeriodMap next_map(const Eigen::VectorXd &start, const PeriodMap &last, double last_closure, PeriodicOrbit &orbit);
     Eigen::VectorXd  area_correction(const Eigen::VectorXd &start) const;

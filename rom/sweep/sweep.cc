@@ -57,18 +57,26 @@ namespace swimtwin
       return request;
     }
 
+    /// The pose and the leading modes of a state, its velocities zero.
+    SwimmerState starting(const ReducedSwimmer &swimmer, const SwimmerState &state)
+    {
+      SwimmerState start                 = state_at_rest(swimmer);
+      start.head(swimmer.n_velocities()) = state.head(swimmer.n_velocities());
+      return start;
+    }
+
     /// What the threads share: swimmers, which do not change.
     struct Swimmers
     {
-      Swimmers(const ReducedModel &model)
-          : range(model.range), record(model.record), all(model),
-            fewer(truncated(model, n_modes_of_comparison(model.n_modes())))
+      Swimmers(const ReducedModel &model, const InertialDensities &densities)
+          : range(model.range), record(model.record), all(model, densities),
+            fewer(truncated(model, n_modes_of_comparison(model.n_modes())), densities)
       {
         ReducedModel half = model;
         for (const Eigen::MatrixXd &coefficients : model.resistance.half_fits)
         {
           half.resistance.coefficients = coefficients;
-          halves.emplace_back(half);
+          halves.emplace_back(half, densities);
         }
       }
       TrainedRange                range;
@@ -100,7 +108,8 @@ namespace swimtwin
         result.member         = member;
         result.displacement_m = result.periodic_displacement_m = result.error_indicator_m = not_known;
         result.largest_multiplier = result.error_95_m = not_known;
-        RunRequest       request                      = request_of(member, options_);
+        RunRequest request                            = request_of(member, options_);
+        request.initial_state                         = starting(swimmers_.all, request.initial_state);
         const SwimmerRun run                          = all_.run(request);
         result.trust                                  = trust_notes(swimmers_.range, request, run);
         result.held_out_error                         = error_near(member);
@@ -139,7 +148,7 @@ namespace swimtwin
       {
         if (swimmers_.fewer.n_modes() == swimmers_.all.n_modes())
           return; // nothing to compare with
-        request.initial_state = request.initial_state.head(swimmers_.fewer.n_states()).eval();
+        request.initial_state = starting(swimmers_.fewer, request.initial_state);
         const SwimmerRun run  = fewer_.run(request);
         if (run.completed())
           result.error_indicator_m = displacement_error_indicator(
@@ -202,7 +211,7 @@ namespace swimtwin
   {
     if (!is_sinusoidal(options.base.drive) && !(axes.bx_T.empty() && axes.by_T.empty()))
       throw InputError("bx and by can be swept for the sinusoidal field only, and this scene plays a field program.");
-    const Swimmers           swimmers(model);
+    const Swimmers           swimmers(model, options.densities);
     std::vector<SweepResult> results(axes.n_members());
     std::mutex               reporting;
     std::size_t              n_done = 0;

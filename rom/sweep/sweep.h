@@ -19,13 +19,14 @@ namespace swimtwin
 
   struct SweepOptions
   {
-    RunRequest base; ///< for what the axes leave open; bx and by need its field to be the sinusoid
-    double     heading_rad                              = 0.; ///< displacement counts along -(cos, sin)
-    int        n_periods                                = 3;  ///< `displacement_m` is that of the last of them
-    double     relative_tolerance                       = IntegratorOptions().relative_tolerance;
-    int        n_threads                                = 0; ///< 0: as many as the machine has
-    bool       periodic                                 = true;
-    bool       indicator                                = true;
+    RunRequest        base; ///< for what the axes leave open; bx and by need its field to be the sinusoid
+    double            heading_rad                       = 0.; ///< displacement counts along -(cos, sin)
+    int               n_periods                         = 3;  ///< `displacement_m` is that of the last of them
+    double            relative_tolerance                = IntegratorOptions().relative_tolerance;
+    int               n_threads                         = 0;  ///< 0: as many as the machine has
+    InertialDensities densities                         = {}; ///< inertia that all members carry
+    bool              periodic                          = true;
+    bool              indicator                         = true;
     std::function<void(std::size_t n_done)> on_progress = {}; ///< called by any of the threads, one at a time
   };
 

@@ -6,7 +6,7 @@ namespace swimtwin
 {
   Eigen::MatrixXd free_directions(const ReducedSwimmer &swimmer, const SwimmerState &state)
   {
-    const int n = swimmer.n_modes() + 1;
+    const int n = swimmer.n_states() - 2;
     if (!swimmer.keeps_area())
       return Eigen::MatrixXd::Identity(n, n);
     Eigen::VectorXd phi = Eigen::VectorXd::Zero(n);

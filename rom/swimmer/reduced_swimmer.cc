@@ -28,11 +28,39 @@ namespace swimtwin
     }
   } // namespace
 
-  ReducedSwimmer::ReducedSwimmer(const ReducedModel &model)
+  ReducedSwimmer::ReducedSwimmer(const ReducedModel &model, const InertialDensities &densities)
       : r_(checked(model).n_modes()), length_m_(largest_distance(model.tail.nodes_m)), tip_(model.tail),
         amplitudes_(model.tail), energy_(model.elasticity, model.tail),
-        resistance_(model.resistance, model.tail.coordinate_parity()), magnet_(model.magnet), area_(model.area)
+        resistance_(model.resistance, model.tail.coordinate_parity()), magnet_(model.magnet), area_(model.area),
+        has_inertia_(densities.any())
   {
+    if (!has_inertia_)
+      return;
+    if (!model.inertia.is_given())
+      throw InputError("the reduced model was trained without inertia, which this run carries: train it again, or "
+                       "leave inertia out (fluid.inertia = \"none\").");
+    if (densities.fluid_kg_m3 <= 0. && densities.tail_kg_m3 <= 0.)
+      throw InputError("a reduced swimmer cannot carry the inertia of its head alone, which leaves its shape without "
+                       "mass: name \"tail\" in [fluid] inertia, too, or \"full\".");
+    if (area_.is_kept)
+      throw InputError("a reduced model whose area is kept by a condition of its own cannot carry inertia: train it "
+                       "with --basis bending, or leave inertia out (fluid.inertia = \"none\").");
+    const Eigen::VectorXi parity = model.tail.coordinate_parity();
+    inertia_ = InertiaSurrogate(model.inertia, densities, parity_of_variables(model.resistance, parity),
+                                parity_of_velocities(parity));
+  }
+
+  VelocityMatrix ReducedSwimmer::mass(const ShapeVector &q, const double angle_rad) const
+  {
+    return inertia_.mass(resistance_.variables(q, angle_rad));
+  }
+
+  double ReducedSwimmer::kinetic_energy_J_m(const SwimmerState &state) const
+  {
+    if (!has_inertia_)
+      return 0.;
+    const VelocityVector velocity = state.tail(n_velocities());
+    return .5 * velocity.dot(inertia_.mass(resistance_.variables(shape_of(state), state[2], state[1])) * velocity);
   }
 
   double ReducedSwimmer::area_change(const ShapeVector &q) const
@@ -61,7 +89,7 @@ namespace swimtwin
 
   VelocityVector ReducedSwimmer::area_direction(const ShapeVector &q) const
   {
-    VelocityVector phi = VelocityVector::Zero(n_states());
+    VelocityVector phi = VelocityVector::Zero(n_velocities());
     phi.tail(r_)       = area_gradient(q);
     return phi;
   }
@@ -92,9 +120,11 @@ namespace swimtwin
   SwimmerMotion ReducedSwimmer::make_motion() const
   {
     SwimmerMotion motion;
-    motion.velocity   = VelocityVector::Zero(n_states());
+    motion.velocity   = VelocityVector::Zero(n_velocities());
     motion.rate       = VelocityVector::Zero(n_states());
     motion.resistance = resistance_.make_factor();
+    if (has_inertia_)
+      motion.inertia = inertia_.make();
     return motion;
   }
 
@@ -102,7 +132,7 @@ namespace swimtwin
                                                 const Eigen::Vector2d &head_field,
                                                 const double           tail_magnetization) const
   {
-    VelocityVector f = VelocityVector::Zero(n_states());
+    VelocityVector f = VelocityVector::Zero(n_velocities());
     f[2]             = cross(moment, head_field);
     if (tail_magnetization != 0.)
       f.tail(r_) = tail_magnetization * (tail_area_slopes(q).transpose() * head_field);
@@ -112,7 +142,7 @@ namespace swimtwin
   VelocityVector ReducedSwimmer::force(const SwimmerState &state, const Eigen::Vector2d &field_T,
                                        const SwimmerParameters &parameters) const
   {
-    const ShapeVector q = state.tail(r_);
+    const ShapeVector q = shape_of(state);
     VelocityVector    f =
         magnetic_force(q, moment(q, parameters), in_head_frame(state[2], field_T), parameters.tail_magnetization_A_m);
     f.tail(r_) -= parameters.young_modulus_Pa * energy_.gradient(q);
@@ -147,7 +177,7 @@ namespace swimtwin
     pressure = 0.;
     if (area_.is_kept)
     {
-      const VelocityVector phi         = area_direction(state.tail(r_));
+      const VelocityVector phi         = area_direction(shape_of(state));
       VelocityVector       by_pressure = phi;
       solve(motion.resistance, by_pressure);
       const double multiple = phi.dot(motion.velocity) / phi.dot(by_pressure);
@@ -162,15 +192,26 @@ namespace swimtwin
                                 const SwimmerParameters &parameters, SwimmerMotion &motion) const
   {
     double pressure = 0.;
-    resistance_.evaluate(state.tail(r_), state[2], state[1], motion.resistance);
-    set_velocity(state, force(state, field_T, parameters), parameters.viscosity_Pa_s, motion, pressure);
+    resistance_.evaluate(shape_of(state), state[2], state[1], motion.resistance);
+    const VelocityVector f = force(state, field_T, parameters);
+    if (has_inertia_)
+      set_inertial_rate(state, f, parameters.viscosity_Pa_s, motion);
+    else
+      set_velocity(state, f, parameters.viscosity_Pa_s, motion, pressure);
+  }
+
+  VelocityVector ReducedSwimmer::drag(const SwimmerMotion &motion, const double viscosity) const
+  {
+    const auto          &L0 = resistance_.factor_at_rest();
+    const VelocityVector w  = motion.resistance.factor.transpose() * (L0.transpose() * motion.velocity);
+    return viscosity * (L0 * (motion.resistance.factor * w));
   }
 
   void ReducedSwimmer::move(const SwimmerState &state, const Eigen::Vector2d &field_T,
                             const SwimmerParameters &parameters, SwimmerMotion &motion) const
   {
     set_rate(state, field_T, parameters, motion);
-    const ShapeVector    q = state.tail(r_);
+    const ShapeVector    q = shape_of(state);
     const VelocityVector f =
         magnetic_force(q, moment(q, parameters), in_head_frame(state[2], field_T), parameters.tail_magnetization_A_m);
     const VelocityVector pulled =
@@ -178,13 +219,19 @@ namespace swimtwin
     motion.magnetic_power_W_m = f.dot(motion.velocity);
     motion.dissipation_W_m    = parameters.viscosity_Pa_s * pulled.squaredNorm();
     motion.elastic_power_W_m  = parameters.young_modulus_Pa * energy_.gradient(q).dot(motion.velocity.tail(r_));
+    if (!has_inertia_)
+      return;
+    const VelocityVector momentum = motion.inertia.mass * motion.velocity;
+    motion.kinetic_energy_J_m     = .5 * motion.velocity.dot(momentum);
+    motion.kinetic_power_W_m =
+        momentum.dot(motion.rate.tail(n_velocities())) + motion.velocity.dot(motion.inertia.force);
   }
 
   Eigen::Vector3d ReducedSwimmer::head_velocity(const SwimmerState &state, const ShapeVector &shape_rate,
                                                 const double torque_N, const double viscosity_Pa_s,
                                                 ResistanceFactor &resistance) const
   {
-    resistance_.evaluate(state.tail(r_), state[2], state[1], resistance);
+    resistance_.evaluate(shape_of(state), state[2], state[1], resistance);
     const VelocityMatrix  L        = resistance_.factor_at_rest() * resistance.factor;
     const Eigen::Matrix3d rigid    = L.topRows<3>() * L.topRows<3>().transpose();
     const Eigen::Vector3d by_shape = L.topRows<3>() * (L.bottomRows(r_).transpose() * shape_rate);

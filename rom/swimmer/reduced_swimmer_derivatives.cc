@@ -1,3 +1,4 @@
+#include <rom/swimmer/force_columns.h>
 #include <rom/swimmer/head_frame.h>
 #include <rom/swimmer/reduced_swimmer.h>
 
@@ -10,17 +11,6 @@ namespace swimtwin
 {
   namespace
   {
-    /// Columns of RateDerivatives::columns after those of the angle and the shape.
-    enum ForceColumn {
-      by_young_modulus,
-      by_magnetization,
-      by_tail_magnetization,
-      by_height,
-      by_field_x,
-      by_field_y,
-      n_force_columns
-    };
-
     /// Turned by -90 degrees: the derivative of a vector in the head's frame by the head's angle.
     Eigen::Vector2d turned_back(const Eigen::Vector2d &v)
     {
@@ -33,14 +23,14 @@ namespace swimtwin
     RateDerivatives derivatives;
     derivatives.by_state = Eigen::MatrixXd::Zero(n_states(), n_states());
     derivatives.by_field = Eigen::MatrixXd::Zero(n_states(), 2);
-    derivatives.columns  = Eigen::MatrixXd::Zero(n_states(), 1 + r_ + n_force_columns);
+    derivatives.columns  = Eigen::MatrixXd::Zero(n_velocities(), 1 + r_ + n_force_columns);
     return derivatives;
   }
 
   void ReducedSwimmer::set_force_derivatives(const SwimmerState &state, const Eigen::Vector2d &field_T,
                                              const SwimmerParameters &parameters, Eigen::MatrixXd &columns) const
   {
-    const ShapeVector     q = state.tail(r_);
+    const ShapeVector     q = shape_of(state);
     const Eigen::Vector2d m = moment(q, parameters), b = in_head_frame(state[2], field_T);
     const double          M_tail = parameters.tail_magnetization_A_m;
     columns.setZero();
@@ -71,7 +61,7 @@ namespace swimtwin
     const VelocityVector eta = L0.transpose() * motion.velocity, w = at.factor.transpose() * eta;
     const int            m = resistance_.n_coordinates();
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, max_velocities, max_modes + 2> change(
-        n_states(), m);
+        n_velocities(), m);
     for (int k = 0; k < m; ++k)
     {
       const VelocityMatrix &dC     = at.factor_derivatives[static_cast<std::size_t>(k)];
@@ -89,11 +79,11 @@ namespace swimtwin
   void ReducedSwimmer::constrain_derivatives(const SwimmerState &state, const SwimmerMotion &motion,
                                              Eigen::MatrixXd &columns) const
   {
-    const VelocityVector phi         = area_direction(state.tail(r_));
+    const VelocityVector phi         = area_direction(shape_of(state));
     VelocityVector       by_pressure = phi;
     solve(motion.resistance, by_pressure);
     Eigen::RowVectorXd flux = phi.transpose() * columns;
-    flux.segment(1, r_) += motion.velocity.tail(r_).transpose() * area_hessian(state.tail(r_));
+    flux.segment(1, r_) += motion.velocity.tail(r_).transpose() * area_hessian(shape_of(state));
     columns.noalias() -= by_pressure * (flux / phi.dot(by_pressure));
   }
 
@@ -101,16 +91,18 @@ namespace swimtwin
                                      const SwimmerParameters &parameters, SwimmerMotion &motion,
                                      RateDerivatives &derivatives) const
   {
+    if (has_inertia_)
+      return differentiate_inertial(state, field_T, parameters, motion, derivatives);
     const double viscosity = parameters.viscosity_Pa_s;
     double       pressure  = 0.;
-    resistance_.differentiate(state.tail(r_), state[2], state[1], motion.resistance);
+    resistance_.differentiate(shape_of(state), state[2], state[1], motion.resistance);
     set_velocity(state, force(state, field_T, parameters), viscosity, motion, pressure);
 
     Eigen::MatrixXd &columns = derivatives.columns;
     set_force_derivatives(state, field_T, parameters, columns);
     add_resistance_derivatives(motion, viscosity, columns);
     if (area_.is_kept)
-      columns.block(3, 1, r_, r_) -= pressure * area_hessian(state.tail(r_));
+      columns.block(3, 1, r_, r_) -= pressure * area_hessian(shape_of(state));
     columns /= viscosity;
     solve(motion.resistance, columns);
     if (area_.is_kept)

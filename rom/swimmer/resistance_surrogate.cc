@@ -4,24 +4,22 @@
 
 namespace swimtwin
 {
+  Eigen::VectorXi parity_of_variables(const ReducedResistance &resistance, const Eigen::VectorXi &mode_parity)
+  {
+    Eigen::VectorXi parity(mode_parity.size() + resistance.n_pose_coordinates());
+    parity << mode_parity, Eigen::VectorXi::Constant(resistance.n_pose_coordinates(), -1);
+    return parity;
+  }
+
+  Eigen::VectorXi parity_of_velocities(const Eigen::VectorXi &mode_parity)
+  {
+    Eigen::VectorXi parity(mode_parity.size() + 3);
+    parity << 1, -1, -1, mode_parity;
+    return parity;
+  }
+
   namespace
   {
-    /// Of the polynomials' coordinates: the modes', and -1 for angle and height.
-    Eigen::VectorXi coordinate_parity(const ReducedResistance &resistance, const Eigen::VectorXi &mode_parity)
-    {
-      Eigen::VectorXi parity(mode_parity.size() + resistance.n_pose_coordinates());
-      parity << mode_parity, Eigen::VectorXi::Constant(resistance.n_pose_coordinates(), -1);
-      return parity;
-    }
-
-    /// Of the velocities (U_x, U_y, omega, dq/dt) under the mirror y -> -y.
-    Eigen::VectorXi velocity_parity(const Eigen::VectorXi &mode_parity)
-    {
-      Eigen::VectorXi parity(mode_parity.size() + 3);
-      parity << 1, -1, -1, mode_parity;
-      return parity;
-    }
-
     int entry_column(const int i, const int j)
     {
       return i * (i + 1) / 2 + j;
@@ -64,10 +62,10 @@ namespace swimtwin
         usual_by_sine_m_(resistance.usual_by_sine_m),
         usual_by_coordinate_(resistance.depends_on_height ? ShapeVector(resistance.usual_by_coordinate)
                                                           : ShapeVector(ShapeVector::Zero(parity.size()))),
-        monomials_(resistance.exponents, coordinate_parity(resistance, parity))
+        monomials_(resistance.exponents, parity_of_variables(resistance, parity))
   {
     const Eigen::MatrixXd by_position = coefficients_by_position(resistance, monomials_);
-    const Eigen::VectorXi mirror      = velocity_parity(parity);
+    const Eigen::VectorXi mirror      = parity_of_velocities(parity);
     Entries               even = entries_of_parity(mirror, 1), odd = entries_of_parity(mirror, -1);
     const int             n_even = monomials_.n_even(), n_odd = monomials_.size() - n_even;
     if (are_zero(by_position, even, n_even, n_odd) && are_zero(by_position, odd, 0, n_even))
@@ -180,6 +178,41 @@ namespace swimtwin
     row[r + 1]         = slope;
   }
 
+  Eigen::MatrixXd ResistanceSurrogate::variable_rate_slopes(const ShapeVector &q, const double angle_rad,
+                                                            const double height_m, const ShapeVector &q_rate,
+                                                            const double angle_rate, const double height_rate) const
+  {
+    const Eigen::Index r        = q.size();
+    Eigen::MatrixXd    result   = Eigen::MatrixXd::Zero(n_coordinates(), r + 2);
+    const ShapeVector  by_scale = coordinate_scale_m_.cwiseInverse();
+    const ShapeVector  z = q.cwiseProduct(by_scale), v = q_rate.cwiseProduct(by_scale);
+    if (const double rho = z.norm(); rho > 1.)
+    {
+      // dz/dt = a v + b z (z . v) with a = s / rho, b = (s' - a) / rho^2.
+      const double b       = (saturated_slope(rho) - saturated(rho) / rho) / (rho * rho);
+      const double b_slope = saturated_curvature(rho) / (rho * rho) - 3. * b / rho;
+      ShapeMatrix  by_z    = b * (v * z.transpose() + z * v.transpose());
+      by_z += z.dot(v) * (b * ShapeMatrix::Identity(r, r) + b_slope / rho * z * z.transpose());
+      result.topLeftCorner(r, r) = by_z * by_scale.asDiagonal();
+    }
+    if (depends_on_angle_)
+      result(r, r) = std::copysign(1., angle_rad) * saturated_curvature(angle_radius(angle_rad)) * angle_rate /
+                     (angle_scale_rad_ * angle_scale_rad_);
+    if (!depends_on_height_)
+      return result;
+    const double above = height_m - usual_height_m(q, angle_rad), radius = height_radius(q, angle_rad, height_m);
+    const double usual_by_angle = usual_by_sine_m_ * std::cos(angle_rad);
+    const double rate           = height_rate - usual_by_angle * angle_rate - usual_by_coordinate_.dot(q_rate);
+    const double curvature =
+        std::copysign(1., above) * saturated_curvature(radius) * rate / (height_scale_m_ * height_scale_m_);
+    auto row    = result.row(n_coordinates() - 1);
+    row.head(r) = -curvature * usual_by_coordinate_.transpose();
+    row[r]      = -curvature * usual_by_angle +
+             saturated_slope(radius) * usual_by_sine_m_ * std::sin(angle_rad) * angle_rate / height_scale_m_;
+    row[r + 1] = curvature;
+    return result;
+  }
+
   void ResistanceSurrogate::evaluate_polynomials(const int n_columns, ResistanceFactor &result) const
   {
     for (const Block &block : blocks_)
@@ -220,6 +253,19 @@ namespace swimtwin
     evaluate(q, angle_rad, height_m, at);
     const VelocityMatrix L = factor_at_rest_ * at.factor;
     return L * L.transpose();
+  }
+
+  Eigen::VectorXd ResistanceSurrogate::variables(const ShapeVector &q, const double angle_rad,
+                                                 const double height_m) const
+  {
+    ResistanceFactor at = make_factor();
+    set_coordinates(q, angle_rad, height_m, at);
+    return at.coordinates;
+  }
+
+  Eigen::VectorXd ResistanceSurrogate::variables(const ShapeVector &q, const double angle_rad) const
+  {
+    return variables(q, angle_rad, usual_height_m(q, angle_rad));
   }
 
   VelocityMatrix ResistanceSurrogate::resistance(const ShapeVector &q, const double angle_rad) const

@@ -21,6 +21,11 @@ namespace swimtwin
     Eigen::MatrixXd monomials, polynomials; ///< values, then derivatives, as columns
   };
 
+  /// Under the mirror y -> -y: of the variables z, the modes' own and -1 for angle and height, and of the velocities
+  /// (U_x, U_y, omega, dq/dt).
+  Eigen::VectorXi parity_of_variables(const ReducedResistance &resistance, const Eigen::VectorXi &mode_parity);
+  Eigen::VectorXi parity_of_velocities(const Eigen::VectorXi &mode_parity);
+
   class ResistanceSurrogate
   {
   public:
@@ -38,10 +43,18 @@ namespace swimtwin
     void evaluate(const ShapeVector &q, double angle_rad, double height_m, ResistanceFactor &result) const;
     /// Derivatives too.
     void differentiate(const ShapeVector &q, double angle_rad, double height_m, ResistanceFactor &result) const;
+    /// By (q, angle, height) of the variables' rate, at given rates of these.
+    Eigen::MatrixXd variable_rate_slopes(const ShapeVector &q, double angle_rad, double height_m,
+                                         const ShapeVector &q_rate, double angle_rate, double height_rate) const;
+    /// Only `coordinate_slopes`.
+    void set_coordinate_slopes(const ShapeVector &q, double angle_rad, double height_m, ResistanceFactor &result) const;
 
     const VelocityMatrix &factor_at_rest() const { return factor_at_rest_; }
     /// R itself (Pa s per Pa s of viscosity, ...), n x n.
     VelocityMatrix resistance(const ShapeVector &q, double angle_rad, double height_m) const;
+    /// The variables z, pulled back to the trained region; without a height at the usual one.
+    Eigen::VectorXd variables(const ShapeVector &q, double angle_rad, double height_m) const;
+    Eigen::VectorXd variables(const ShapeVector &q, double angle_rad) const;
     /// The same at the usual height.
     VelocityMatrix resistance(const ShapeVector &q, double angle_rad) const;
 
@@ -64,10 +77,9 @@ namespace swimtwin
                      int n);
     double usual_height_m(const ShapeVector &q, double angle_rad) const;
     void   set_coordinates(const ShapeVector &q, double angle_rad, double height_m, ResistanceFactor &result) const;
-    void set_coordinate_slopes(const ShapeVector &q, double angle_rad, double height_m, ResistanceFactor &result) const;
-    void evaluate_polynomials(int n_columns, ResistanceFactor &result) const;
-    void set_factor(ResistanceFactor &result) const;
-    void set_factor_derivatives(ResistanceFactor &result) const;
+    void   evaluate_polynomials(int n_columns, ResistanceFactor &result) const;
+    void   set_factor(ResistanceFactor &result) const;
+    void   set_factor_derivatives(ResistanceFactor &result) const;
 
     VelocityMatrix     factor_at_rest_;
     ShapeVector        coordinate_scale_m_;

@@ -13,6 +13,8 @@ namespace swimtwin
   {
     Eigen::VectorXd scale = Eigen::VectorXd::Constant(swimmer.n_states(), stroke_per_length * swimmer.length_m());
     scale[2]              = 1.;
+    if (swimmer.has_inertia())
+      scale[2 + swimmer.n_velocities()] = 1.; // rad/s: velocities count as if they lasted for a second
     return scale;
   }
 } // namespace swimtwin

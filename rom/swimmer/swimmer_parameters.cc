@@ -13,4 +13,13 @@ namespace swimtwin
     return {scene.tail->young_modulus_Pa, scene.fluid->viscosity_Pa_s, scene.head.magnetization_A_m,
             scene.tail->magnetization_A_m};
   }
+
+  InertialDensities inertial_densities(const Scene &scene, const InertiaTerms &terms)
+  {
+    if (terms.unsteady != terms.convective)
+      throw InputError("[fluid] inertia of a reduced swimmer must name \"unsteady\" and \"convective\" together, or "
+                       "neither: name both, or simulate the scene.");
+    return {terms.unsteady ? scene.fluid->density_kg_m3 : 0., terms.tail ? scene.tail->density_kg_m3 : 0.,
+            terms.head ? scene.head.density_kg_m3 : 0.};
+  }
 } // namespace swimtwin

@@ -23,7 +23,16 @@ namespace swimtwin
     frequency, ///< at fixed phase: the field of the same shape, played faster
     field,     ///< a parameter of the driving field
     initial_angle,
-    initial_shape ///< a mode's coordinate at the start
+    initial_shape,   ///< a mode's coordinate at the start
+    initial_velocity ///< one of R^T dx/dt, omega, dq/dt at the start, with inertia
+  };
+
+  /// Of the terms of inertia that a run carries; zero leaves a term out.
+  struct InertialDensities
+  {
+    double fluid_kg_m3 = 0., tail_kg_m3 = 0., head_kg_m3 = 0.;
+
+    bool any() const { return fluid_kg_m3 > 0. || tail_kg_m3 > 0. || head_kg_m3 > 0.; }
   };
 
   /// One number that a run depends on. `index` counts the field's parameters or the modes.
@@ -37,4 +46,8 @@ namespace swimtwin
 
   /// Those of a scene with a fluid and a tail. Throws InputError for one without.
   SwimmerParameters swimmer_parameters(const Scene &scene);
+
+  /// The scene's densities, of the terms that are carried. Throws InputError if the fluid's unsteady and convective
+  /// terms are not carried together: the reduced swimmer knows only both.
+  InertialDensities inertial_densities(const Scene &scene, const InertiaTerms &terms);
 } // namespace swimtwin

@@ -4,6 +4,7 @@
 #include <datasets/system/provenance.h>
 #include <rom/training/aim.h>
 #include <rom/training/cpu_budget.h>
+#include <rom/training/inertia_training.h>
 #include <rom/training/training.h>
 
 #include <fmt/format.h>
@@ -135,6 +136,11 @@ namespace swimtwin
 
       ReducedModel concluded(const std::string &end)
       {
+        add_inertia(best_, scene_, communicator_, [this](const int done, const int total) {
+          if (options_.on_progress)
+            options_.on_progress("inertia samples", done, total);
+        });
+        budget_.book("inertia");
         auto &record      = best_.record;
         record.cpu_time_s = budget_.spent_s();
         record.history    = history_;

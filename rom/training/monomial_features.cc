@@ -84,4 +84,12 @@ namespace swimtwin
       throw ComputationError("there are too few resistance samples for a fit: raise --samples");
     return sets;
   }
+
+  Eigen::MatrixXd with_ridge(const Eigen::MatrixXd &A, const Eigen::VectorXd &weight)
+  {
+    constexpr double ridge = 1e-4;
+    Eigen::MatrixXd  rows(A.rows() + A.cols(), A.cols());
+    rows << A, ridge * weight.norm() * Eigen::MatrixXd::Identity(A.cols(), A.cols());
+    return rows;
+  }
 } // namespace swimtwin

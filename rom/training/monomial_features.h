@@ -18,4 +18,9 @@ namespace swimtwin
   /// parity: all monomials for which the product of the variables' effects exceeds a bound. Throws ComputationError if
   /// there are too few samples for any.
   std::vector<Eigen::MatrixXi> feature_sets(const Eigen::VectorXd &effects, Eigen::Index n_samples);
+
+  /// Below the design matrix (rows times their `weight`): a weight that keeps coefficients small where samples do not
+  /// tell them, in corners of the region where the tail would touch itself. It is as large against light rows as
+  /// against heavy ones.
+  Eigen::MatrixXd with_ridge(const Eigen::MatrixXd &A, const Eigen::VectorXd &weight);
 } // namespace swimtwin

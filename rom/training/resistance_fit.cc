@@ -71,17 +71,6 @@ namespace swimtwin
       return columns;
     }
 
-    /// Below the design matrix: a weight that keeps coefficients small where samples do not tell them, in corners of
-    /// the region where the tail would touch itself.
-    /// `weight` of the rows: it is as large against light ones as against heavy ones.
-    Eigen::MatrixXd with_ridge(const Eigen::MatrixXd &A, const Eigen::VectorXd &weight)
-    {
-      constexpr double ridge = 1e-4;
-      Eigen::MatrixXd  rows(A.rows() + A.cols(), A.cols());
-      rows << A, ridge * weight.norm() * Eigen::MatrixXd::Identity(A.cols(), A.cols());
-      return rows;
-    }
-
     Eigen::MatrixXd fit_coefficients(const Eigen::MatrixXi &exponents, const SampleTable &table)
     {
       const Eigen::MatrixXd A = table.weight.asDiagonal() * design(exponents, table.z);

@@ -1,7 +1,5 @@
 #include <rom/training/training.h>
 
-#include <datasets/scene/dimensionless_groups.h>
-#include <datasets/scene/inertia_terms.h>
 #include <datasets/system/error.h>
 #include <datasets/system/provenance.h>
 #include <fom/run/run_recorder.h>
@@ -277,13 +275,6 @@ namespace swimtwin
       const Eigen::VectorXd values = symmetric_eigenvalues(d.asDiagonal() * sample.resistance * d.asDiagonal());
       r.largest_condition          = std::max(r.largest_condition, values.maxCoeff() / values.minCoeff());
     }
-    r.neglects.push_back(
-        fmt::format("Inertia of fluid and solid: the unsteady group 2 pi rho f L^2 / mu is up to {:.2g}, an estimated "
-                    "{:.2g} % of the displacement are missing there with the stiffest tail.",
-                    unsteady_group(scene_, options_.range.frequency_Hz.high, options_.range.viscosity_Pa_s.low),
-                    100. * inertia_shares(scene_, options_.range.frequency_Hz.high, options_.range.viscosity_Pa_s.low,
-                                          options_.range.young_modulus_Pa.high)
-                               .together()));
     r.neglects.push_back(scene_.domain->moves_with_swimmer
                              ? "Nothing of the pose: the domain moves with the swimmer."
                              : fmt::format("The place along the domain: over the {:.2g} mm that the body's middle "

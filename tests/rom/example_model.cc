@@ -252,6 +252,59 @@ namespace swimtwin
       return bent;
     }
 
+    /// Relaxes in some milliseconds at the density of glycerol; quadratic forces without power.
+    InertiaPolynomials inertia_of_material(const ReducedResistance &resistance, const Eigen::MatrixXi &exponents,
+                                           const Eigen::VectorXi &coordinate_parity,
+                                           const Eigen::VectorXi &velocity_parity, const double factor,
+                                           RandomNumbers &random)
+    {
+      const auto      n = static_cast<int>(velocity_parity.size()), n_pairs = n * (n + 1) / 2;
+      const auto     &L = resistance.factor_at_rest;
+      Eigen::VectorXd unit(n);
+      for (int i = 0; i < n; ++i)
+        unit[i] = L.row(i).norm();
+      InertiaPolynomials result{std::sqrt(factor) * L, Eigen::MatrixXd::Zero(exponents.rows(), n_pairs),
+                                Eigen::MatrixXd::Zero(exponents.rows(), n * n_pairs)};
+      for (Eigen::Index f = 0; f < exponents.rows(); ++f)
+      {
+        const int  parity = parity_of(exponents.row(f), coordinate_parity), degree = exponents.row(f).sum();
+        const auto size = 1. / (1. + degree * degree);
+        for (int i = 0; i < n; ++i)
+          for (int j = 0; j <= i; ++j)
+            if (velocity_parity[i] * velocity_parity[j] == parity)
+              result.mass(f, i * (i + 1) / 2 + j) = degree == 0 ? (i == j ? 0.02 : 0.) : 0.2 * size * random();
+        std::vector<Eigen::MatrixXd> N(static_cast<std::size_t>(n), Eigen::MatrixXd(n, n));
+        for (int i = 0; i < n; ++i)
+          for (int j = 0; j < n; ++j)
+            for (int k = 0; k <= j; ++k)
+              N[i](j, k) = N[i](k, j) = velocity_parity[i] * velocity_parity[j] * velocity_parity[k] == parity
+                                            ? 30. * factor * size * random() * unit[i] * unit[j] * unit[k]
+                                            : 0.;
+        for (int i = 0; i < n; ++i)
+          for (int j = 0; j < n; ++j)
+            for (int k = 0; k <= j; ++k)
+              result.quadratic(f, i * n_pairs + j * (j + 1) / 2 + k) =
+                  (j == k ? 1. : 2.) * (N[i](j, k) - (N[i](j, k) + N[j](k, i) + N[k](i, j)) / 3.);
+      }
+      return result;
+    }
+
+    void add_inertia(ReducedModel &model)
+    {
+      RandomNumbers         random(17);
+      const Eigen::Index    r = model.n_modes(), n_pose = model.resistance.n_pose_coordinates();
+      const Eigen::VectorXi parity = model.tail.coordinate_parity();
+      Eigen::VectorXi       coordinates(r + n_pose), velocities(r + 3);
+      coordinates << parity, Eigen::VectorXi::Constant(n_pose, -1);
+      velocities << 1, -1, -1, parity;
+      auto &inertia     = model.inertia;
+      inertia.exponents = cubic_exponents(static_cast<int>(coordinates.size()));
+      inertia.fluid = inertia_of_material(model.resistance, inertia.exponents, coordinates, velocities, 6e-6, random);
+      inertia.tail  = inertia_of_material(model.resistance, inertia.exponents, coordinates, velocities, 1e-6, random);
+      inertia.head_area_m2          = model.magnet.head_area_m2;
+      inertia.head_second_moment_m4 = 2e-13;
+    }
+
     void bend(ReducedModel &model, const int r)
     {
       RandomNumbers random(13);
@@ -314,6 +367,8 @@ namespace swimtwin
       add_height(model.tail.parity, model.resistance);
     if (options.is_bent)
       bend(model, options.n_modes);
+    if (options.has_inertia)
+      add_inertia(model);
     model.range      = make_range();
     model.record     = make_record();
     model.scene_name = "example";

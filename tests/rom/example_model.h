@@ -16,6 +16,7 @@ namespace swimtwin
     bool keeps_area        = false;
     bool magnetic_tail     = true;
     bool depends_on_height = false;
+    bool has_inertia       = false;
     bool is_bent           = false; ///< shapes and energy are polynomials of bending coordinates; no followers
   };
 

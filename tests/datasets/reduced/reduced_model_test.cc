@@ -223,10 +223,10 @@ namespace swimtwin
     const TemporaryFolder folder;
     Hdf5Writer            writer;
     writer.write_attribute("/", "format", "swimtwin reduced model");
-    writer.write_attribute("/", "format_version", 3.);
+    writer.write_attribute("/", "format_version", 4.);
     writer.save(folder.path / "model.h5");
     const std::string message = message_of<InputError>([&] { read_reduced_model(folder.path / "model.h5"); });
-    expect_in(message, "format version 3, and this program reads versions 1 to 2");
+    expect_in(message, "format version 4, and this program reads versions 1 to 3");
     expect_in(message, "train it again");
   }
 
@@ -335,5 +335,52 @@ namespace swimtwin
     model.area.linear_m = Eigen::Vector3d(0., 0., 1e-3);
     EXPECT_FALSE(truncated(model, 2).area.is_kept);
     EXPECT_TRUE(truncated(model, 3).area.is_kept);
+  }
+
+  namespace
+  {
+    ReducedModel inertial_model()
+    {
+      ReducedModel    model = random_model();
+      constexpr int   n = 6, n_pairs = 21, n_features = 4;
+      Eigen::MatrixXd factor   = Eigen::MatrixXd::Identity(n, n);
+      const auto      material = [&] {
+        return InertiaPolynomials{factor, Eigen::MatrixXd::Random(n_features, n_pairs),
+                                  Eigen::MatrixXd::Random(n_features, n * n_pairs)};
+      };
+      model.inertia = {Eigen::MatrixXi::Identity(n_features, n_features), material(), material(), 1e-6, 2e-13};
+      return model;
+    }
+  } // namespace
+
+  TEST(ReducedModel, KeepsItsInertiaInVersionThree)
+  {
+    const TemporaryFolder folder;
+    const ReducedModel    written = inertial_model();
+    write_reduced_model(folder.path / "model.h5", written, of_a_training);
+    EXPECT_EQ(Hdf5Reader(folder.path / "model.h5").read_number_attribute("/", "format_version"), 3.);
+    const ReducedInertia read = read_reduced_model(folder.path / "model.h5").inertia;
+    EXPECT_EQ(read.exponents, written.inertia.exponents);
+    EXPECT_EQ(read.fluid.factor_at_rest, written.inertia.fluid.factor_at_rest);
+    EXPECT_EQ(read.fluid.mass, written.inertia.fluid.mass);
+    EXPECT_EQ(read.fluid.quadratic, written.inertia.fluid.quadratic);
+    EXPECT_EQ(read.tail.mass, written.inertia.tail.mass);
+    EXPECT_EQ(read.tail.quadratic, written.inertia.tail.quadratic);
+    EXPECT_EQ(read.head_area_m2, 1e-6);
+    EXPECT_EQ(read.head_second_moment_m4, 2e-13);
+  }
+
+  TEST(ReducedModel, InertiaOfAnotherSizeIsRefused)
+  {
+    ReducedModel model = inertial_model();
+    model.inertia.tail.quadratic.conservativeResize(4, 7);
+    EXPECT_NE(broken_rule(model).find("/inertia/tail_quadratic has 4 x 7 values; 4 x 126 are needed."),
+              std::string::npos);
+    model                                    = inertial_model();
+    model.inertia.fluid.factor_at_rest(2, 2) = -1.;
+    EXPECT_NE(broken_rule(model).find("/inertia/fluid_factor_at_rest is not lower triangular"), std::string::npos);
+    model                      = inertial_model();
+    model.inertia.head_area_m2 = -1.;
+    EXPECT_NE(broken_rule(model).find("head_area_m2 = -1; it must not be negative"), std::string::npos);
   }
 } // namespace swimtwin

@@ -55,6 +55,9 @@ namespace swimtwin
       case Quantity::initial_shape:
         request.initial_state[3 + parameter.index] += by;
         break;
+      case Quantity::initial_velocity:
+        request.initial_state[request.initial_state.size() / 2 + parameter.index] += by;
+        break;
       }
       return request;
     }

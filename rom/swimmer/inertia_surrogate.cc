@@ -1,0 +1,309 @@
+#include <rom/swimmer/inertia_surrogate.h>
+
+#include <cmath>
+#include <map>
+
+namespace swimtwin
+{
+  namespace
+  {
+    using MonomialExponents = std::vector<int>;
+
+    MonomialExponents exponents_in_row(const Eigen::MatrixXi &exponents, const Eigen::Index row)
+    {
+      MonomialExponents e;
+      for (const int power : exponents.row(row))
+        e.push_back(power);
+      return e;
+    }
+
+    /// With the derivatives of all monomials, which come after those that were there.
+    Eigen::MatrixXi closed_under_derivatives(const Eigen::MatrixXi &exponents)
+    {
+      std::vector<MonomialExponents>   rows;
+      std::map<MonomialExponents, int> known;
+      const auto                       add = [&](const MonomialExponents &e) {
+        if (known.emplace(e, 0).second)
+          rows.push_back(e);
+      };
+      for (Eigen::Index f = 0; f < exponents.rows(); ++f)
+        add(exponents_in_row(exponents, f));
+      for (std::size_t f = 0; f < rows.size(); ++f)
+        for (std::size_t d = 0; d < rows[f].size(); ++d)
+          if (rows[f][d] > 0)
+          {
+            MonomialExponents lower = rows[f];
+            --lower[d];
+            add(lower);
+          }
+      Eigen::MatrixXi closed(static_cast<Eigen::Index>(rows.size()), exponents.cols());
+      for (std::size_t f = 0; f < rows.size(); ++f)
+        for (std::size_t d = 0; d < rows[f].size(); ++d)
+          closed(static_cast<Eigen::Index>(f), static_cast<Eigen::Index>(d)) = rows[f][d];
+      return closed;
+    }
+
+    Eigen::MatrixXd with_zero_rows(const Eigen::MatrixXd &coefficients, const Eigen::Index n)
+    {
+      Eigen::MatrixXd all              = Eigen::MatrixXd::Zero(n, coefficients.cols());
+      all.topRows(coefficients.rows()) = coefficients;
+      return all;
+    }
+
+    /// F_1 F_2^T + F_2 F_1^T.
+    VelocityMatrix symmetric_product(const VelocityMatrix &F_1, const VelocityMatrix &F_2)
+    {
+      VelocityMatrix half(F_1.rows(), F_1.rows());
+      half.noalias() = F_1 * F_2.transpose();
+      return half + half.transpose();
+    }
+  } // namespace
+
+  InertiaSurrogate::InertiaSurrogate(const ReducedInertia &inertia, const InertialDensities &densities,
+                                     const Eigen::VectorXi &parity, const Eigen::VectorXi &velocity_parity)
+      : n_(static_cast<int>(velocity_parity.size()))
+  {
+    const Eigen::MatrixXi exponents = closed_under_derivatives(inertia.exponents);
+    monomials_                      = MonomialTable(exponents, parity);
+    std::vector<Term> pairs, triples;
+    for (int i = 0; i < n_; ++i)
+      for (int j = 0; j <= i; ++j)
+        pairs.push_back({i, j, -1});
+    for (int i = 0; i < n_; ++i)
+      for (const Term &pair : pairs)
+        triples.push_back({i, pair.i, pair.j});
+    masses_ = {mass_of(inertia.fluid, densities.fluid_kg_m3, exponents, pairs, velocity_parity),
+               mass_of(inertia.tail, densities.tail_kg_m3, exponents, pairs, velocity_parity)};
+    Eigen::MatrixXd quadratic =
+        with_zero_rows(densities.fluid_kg_m3 * inertia.fluid.quadratic + densities.tail_kg_m3 * inertia.tail.quadratic,
+                       exponents.rows());
+    set_head(inertia, densities.head_kg_m3, exponents, quadratic);
+    quadratic_ = order(quadratic, triples, velocity_parity);
+  }
+
+  /// About its own centre: M = diag(m, m, I), and m omega x U in its frame.
+  void InertiaSurrogate::set_head(const ReducedInertia &inertia, const double density, const Eigen::MatrixXi &exponents,
+                                  Eigen::MatrixXd &quadratic)
+  {
+    const double m = density * inertia.head_area_m2;
+    head_          = VelocityMatrix::Zero(n_, n_);
+    head_.diagonal().head<3>() << m, m, density * inertia.head_second_moment_m4;
+    Eigen::Index one = 0;
+    while (exponents.row(one).sum() > 0)
+      ++one;
+    const auto column = [&](const int i, const int j, const int k) {
+      return i * n_ * (n_ + 1) / 2 + j * (j + 1) / 2 + k;
+    };
+    quadratic(one, column(0, 2, 1)) -= m;
+    quadratic(one, column(1, 2, 0)) += m;
+  }
+
+  InertiaSurrogate::Polynomials InertiaSurrogate::order(const Eigen::MatrixXd &by_row, const std::vector<Term> &terms,
+                                                        const Eigen::VectorXi &velocity_parity) const
+  {
+    const auto is_even = [&](const Term &t) {
+      return velocity_parity[t.i] * velocity_parity[t.j] * (t.k < 0 ? 1 : velocity_parity[t.k]) > 0;
+    };
+    Polynomials                  result;
+    std::vector<Eigen::VectorXd> rows;
+    int                          n_even = 0;
+    for (const bool even : {true, false})
+      for (std::size_t c = 0; c < terms.size(); ++c)
+        if (is_even(terms[c]) == even)
+        {
+          result.terms.push_back(terms[c]);
+          n_even += even;
+          Eigen::VectorXd row = Eigen::VectorXd::Zero(monomials_.size());
+          for (Eigen::Index f = 0; f < by_row.rows(); ++f)
+            row[monomials_.position_of_row(static_cast<int>(f))] += by_row(f, static_cast<Eigen::Index>(c));
+          rows.push_back(row);
+        }
+    const Eigen::Index n_monomials = monomials_.size(), n_even_monomials = monomials_.n_even();
+    result.even.resize(n_even, n_even_monomials);
+    result.odd.resize(static_cast<Eigen::Index>(rows.size()) - n_even, n_monomials - n_even_monomials);
+    for (Eigen::Index k = 0; k < static_cast<Eigen::Index>(rows.size()); ++k)
+      if (const Eigen::VectorXd &row = rows[static_cast<std::size_t>(k)]; k < n_even)
+        result.even.row(k) = row.head(n_even_monomials).transpose();
+      else
+        result.odd.row(k - n_even) = row.tail(n_monomials - n_even_monomials).transpose();
+    return result;
+  }
+
+  InertiaSurrogate::Mass InertiaSurrogate::mass_of(const InertiaPolynomials &material, const double density,
+                                                   const Eigen::MatrixXi &exponents, const std::vector<Term> &pairs,
+                                                   const Eigen::VectorXi &velocity_parity) const
+  {
+    const Eigen::MatrixXd by_row = with_zero_rows(material.mass, exponents.rows());
+    Mass                  result{density, material.factor_at_rest, order(by_row, pairs, velocity_parity), {}};
+    std::map<MonomialExponents, Eigen::Index> row_of;
+    for (Eigen::Index f = 0; f < exponents.rows(); ++f)
+      row_of[exponents_in_row(exponents, f)] = f;
+    for (Eigen::Index d = 0; d < exponents.cols(); ++d)
+    {
+      Eigen::MatrixXd gradient = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(pairs.size()), monomials_.size());
+      for (Eigen::Index f = 0; f < exponents.rows(); ++f)
+        if (exponents(f, d) > 0)
+        {
+          MonomialExponents lower = exponents_in_row(exponents, f);
+          --lower[static_cast<std::size_t>(d)];
+          const int place = monomials_.position_of_row(static_cast<int>(row_of.at(lower)));
+          for (Eigen::Index t = 0; t < gradient.rows(); ++t)
+          {
+            const Term &term = result.entries.terms[static_cast<std::size_t>(t)];
+            gradient(t, place) += exponents(f, d) * by_row(f, term.i * (term.i + 1) / 2 + term.j);
+          }
+        }
+      result.gradient.push_back(gradient);
+    }
+    return result;
+  }
+
+  void InertiaSurrogate::Polynomials::evaluate(const Eigen::Ref<const Eigen::MatrixXd> &monomials,
+                                               Eigen::Ref<Eigen::MatrixXd>              values) const
+  {
+    values.topRows(even.rows()).noalias()   = even * monomials.topRows(even.cols());
+    values.bottomRows(odd.rows()).noalias() = odd * monomials.bottomRows(odd.cols());
+  }
+
+  InertiaValues InertiaSurrogate::make() const
+  {
+    const int     m = monomials_.n_coordinates();
+    InertiaValues v;
+    v.mass = v.mass_rate = VelocityMatrix::Zero(n_, n_);
+    v.force              = VelocityVector::Zero(n_);
+    v.mass_slopes        = std::vector<VelocityMatrix>(static_cast<std::size_t>(m), VelocityMatrix::Zero(n_, n_));
+    v.force_by_velocity  = VelocityMatrix::Zero(n_, n_);
+    v.force_by_variable = v.force_by_rate = Eigen::MatrixXd::Zero(n_, m);
+    v.monomials                           = Eigen::MatrixXd::Zero(monomials_.size(), 1 + m);
+    v.rates                               = Eigen::MatrixXd::Zero(monomials_.size(), 2);
+    v.quadratic_entries = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(quadratic_.terms.size()), 1 + m);
+    for (auto &material : v.materials)
+    {
+      material.entries = Eigen::MatrixXd::Zero(n_ * (n_ + 1) / 2, 2 + m);
+      material.factor = material.factor_rate = VelocityMatrix::Zero(n_, n_);
+    }
+    return v;
+  }
+
+  VelocityMatrix InertiaSurrogate::mass(const Eigen::VectorXd &z) const
+  {
+    InertiaValues values = make();
+    evaluate(z, Eigen::VectorXd::Zero(z.size()), VelocityVector::Zero(n_), values);
+    return values.mass;
+  }
+
+  void InertiaSurrogate::set_masses(InertiaValues &v) const
+  {
+    v.mass = head_;
+    v.mass_rate.setZero();
+    for (std::size_t material = 0; material < masses_.size(); ++material)
+    {
+      const Mass &mass = masses_[material];
+      if (mass.density == 0.)
+        continue;
+      auto              &at   = v.materials[material];
+      const Eigen::Index last = at.entries.cols() - 1;
+      mass.entries.evaluate(v.rates.leftCols(1), at.entries.leftCols(1));
+      mass.entries.evaluate(v.rates.rightCols(1), at.entries.rightCols(1));
+      VelocityMatrix C = VelocityMatrix::Zero(n_, n_), C_rate = C;
+      for (std::size_t t = 0; t < mass.entries.terms.size(); ++t)
+      {
+        const Term  &term  = mass.entries.terms[t];
+        const auto   row   = static_cast<Eigen::Index>(t);
+        const double value = at.entries(row, 0), rate = at.entries(row, last);
+        C(term.i, term.j)      = term.i == term.j ? std::exp(value) : value;
+        C_rate(term.i, term.j) = term.i == term.j ? C(term.i, term.i) * rate : rate;
+      }
+      at.factor      = mass.factor_at_rest * C;
+      at.factor_rate = mass.factor_at_rest * C_rate;
+      v.mass += .5 * mass.density * symmetric_product(at.factor, at.factor);
+      v.mass_rate += mass.density * symmetric_product(at.factor, at.factor_rate);
+    }
+  }
+
+  void InertiaSurrogate::set_force(const VelocityVector &velocity, InertiaValues &v) const
+  {
+    v.force = .5 * (v.mass_rate * velocity);
+    for (std::size_t t = 0; t < quadratic_.terms.size(); ++t)
+    {
+      const Term &term = quadratic_.terms[t];
+      v.force[term.i] += v.quadratic_entries(static_cast<Eigen::Index>(t), 0) * velocity[term.j] * velocity[term.k];
+    }
+  }
+
+  void InertiaSurrogate::evaluate(const Eigen::VectorXd &z, const Eigen::VectorXd &z_rate,
+                                  const VelocityVector &velocity, InertiaValues &v) const
+  {
+    monomials_.evaluate_with_gradient(z, v.monomials);
+    v.rates.col(0)           = v.monomials.col(0);
+    v.rates.col(1).noalias() = v.monomials.rightCols(z.size()) * z_rate;
+    set_masses(v);
+    quadratic_.evaluate(v.monomials.leftCols(1), v.quadratic_entries.leftCols(1));
+    set_force(velocity, v);
+  }
+
+  void InertiaSurrogate::differentiate(const Eigen::VectorXd &z, const Eigen::VectorXd &z_rate,
+                                       const VelocityVector &velocity, InertiaValues &v) const
+  {
+    evaluate(z, z_rate, velocity, v);
+    v.force_by_velocity = .5 * v.mass_rate;
+    v.force_by_variable.setZero();
+    differentiate_quadratic(velocity, v);
+    for (auto &slope : v.mass_slopes)
+      slope.setZero();
+    for (std::size_t material = 0; material < masses_.size(); ++material)
+      if (masses_[material].density > 0.)
+        differentiate_mass(masses_[material], z_rate, velocity, v.materials[material], v);
+    for (Eigen::Index c = 0; c < z.size(); ++c)
+      v.force_by_rate.col(c) = .5 * (v.mass_slopes[static_cast<std::size_t>(c)] * velocity);
+  }
+
+  void InertiaSurrogate::differentiate_quadratic(const VelocityVector &velocity, InertiaValues &v) const
+  {
+    const Eigen::Index m = v.monomials.cols() - 1;
+    quadratic_.evaluate(v.monomials.rightCols(m), v.quadratic_entries.rightCols(m));
+    for (std::size_t t = 0; t < quadratic_.terms.size(); ++t)
+    {
+      const auto &[i, j, k] = quadratic_.terms[t];
+      const auto   row      = static_cast<Eigen::Index>(t);
+      const double value    = v.quadratic_entries(row, 0);
+      v.force_by_velocity(i, j) += value * velocity[k];
+      v.force_by_velocity(i, k) += value * velocity[j];
+      v.force_by_variable.row(i) += velocity[j] * velocity[k] * v.quadratic_entries.row(row).tail(m);
+    }
+  }
+
+  void InertiaSurrogate::differentiate_mass(const Mass &mass, const Eigen::VectorXd &z_rate,
+                                            const VelocityVector &velocity, InertiaValues::Material &at,
+                                            InertiaValues &v) const
+  {
+    const Eigen::Index m = z_rate.size(), last = at.entries.cols() - 1;
+    mass.entries.evaluate(v.monomials.rightCols(m), at.entries.middleCols(1, m));
+    Eigen::MatrixXd of_rate = z_rate[0] * mass.gradient.front();
+    for (Eigen::Index d = 1; d < m; ++d)
+      of_rate += z_rate[d] * mass.gradient[static_cast<std::size_t>(d)];
+    const Eigen::MatrixXd rate_slopes = of_rate * v.monomials.rightCols(m);
+    for (Eigen::Index c = 0; c < m; ++c)
+    {
+      VelocityMatrix C = VelocityMatrix::Zero(n_, n_), C_rate = C; // derivatives by z_c
+      for (std::size_t t = 0; t < mass.entries.terms.size(); ++t)
+      {
+        const Term  &term  = mass.entries.terms[t];
+        const auto   row   = static_cast<Eigen::Index>(t);
+        const double slope = at.entries(row, 1 + c), rate_slope = rate_slopes(row, c);
+        C(term.i, term.j)      = slope;
+        C_rate(term.i, term.j) = rate_slope;
+        if (term.i == term.j)
+        {
+          const double value     = std::exp(at.entries(row, 0));
+          C(term.i, term.i)      = value * slope;
+          C_rate(term.i, term.i) = value * (rate_slope + slope * at.entries(row, last));
+        }
+      }
+      const VelocityMatrix F = mass.factor_at_rest * C, F_rate = mass.factor_at_rest * C_rate;
+      v.mass_slopes[static_cast<std::size_t>(c)] += mass.density * symmetric_product(at.factor, F);
+      const VelocityMatrix rate_slope = symmetric_product(at.factor, F_rate) + symmetric_product(at.factor_rate, F);
+      v.force_by_variable.col(c) += .5 * mass.density * (rate_slope * velocity);
+    }
+  }
+} // namespace swimtwin

@@ -1,0 +1,236 @@
+#include <rom/training/inertia_training.h>
+
+#include <datasets/scene/dimensionless_groups.h>
+#include <datasets/scene/inertia_terms.h>
+#include <datasets/system/error.h>
+#include <rom/swimmer/dense_algebra.h>
+#include <rom/training/explored_shapes.h>
+#include <rom/training/monomial_features.h>
+#include <rom/training/resistance_fit.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace swimtwin
+{
+  namespace
+  {
+    SampledRegion region_of(const ReducedResistance &resistance)
+    {
+      return {resistance.coordinate_scale_m, resistance.depends_on_angle, resistance.angle_scale_rad,
+              resistance.depends_on_height, resistance.height_scale_m};
+    }
+
+    std::vector<ShapePoint> points_to_sample(const ReducedModel &model, const SampledRegion &region, const int n)
+    {
+      constexpr double        nearer = .3;
+      const ShapePoint        rest{Eigen::VectorXd::Zero(model.n_modes()), 0., 0., 0.};
+      std::vector<ShapePoint> points = axis_points(region, rest);
+      const auto              seen   = shapes_of(explore(model, spread_members(model.range, 40, 400), rest));
+      const auto along = spread_out(seen, points, region, Eigen::VectorXd::Ones(region.n_variables()), n / 3);
+      points.insert(points.end(), along.begin(), along.end());
+      for (auto point : along) // what small strokes do is told by slopes at rest
+      {
+        point.q *= nearer;
+        point.angle_rad *= nearer;
+        point.drift_y_m *= nearer;
+        points.push_back(point);
+      }
+      for (const auto &point : filling_points(region, rest, n / 3))
+        points.push_back(point);
+      return points;
+    }
+
+    /// Samples as a table: a row of values each, the entries of M's factor first, and for each column whether it is
+    /// odd.
+    struct InertiaTable
+    {
+      Eigen::MatrixXd   z, values;
+      Eigen::VectorXd   weight;
+      std::vector<char> is_odd;
+      Eigen::Index      n_mass = 0; ///< columns of the factor
+
+      InertiaTable rows(const std::vector<int> &which) const
+      {
+        return {z(which, Eigen::all), values(which, Eigen::all), weight(which), is_odd, n_mass};
+      }
+    };
+
+    /// Forces N_i (rows; coefficients of xi_j xi_k, k <= j) in other units: those in which L L^T is the identity.
+    Eigen::MatrixXd in_units_of(const Eigen::MatrixXd &L, const Eigen::MatrixXd &quadratic)
+    {
+      const Eigen::Index n = L.rows();
+      Eigen::MatrixXd    forms(n * n, n); // column i: N_i in new velocities
+      for (Eigen::Index i = 0; i < n; ++i)
+      {
+        Eigen::MatrixXd N(n, n);
+        for (Eigen::Index j = 0, pair = 0; j < n; ++j)
+          for (Eigen::Index k = 0; k <= j; ++k, ++pair)
+            N(j, k) = N(k, j) = (j == k ? 1. : .5) * quadratic(i, pair);
+        forms.col(i) = seen_from(L, N).reshaped();
+      }
+      forms = solve_lower<Eigen::MatrixXd>(L, forms.transpose()).transpose().eval();
+      Eigen::MatrixXd scaled(n, n * (n + 1) / 2);
+      for (Eigen::Index i = 0; i < n; ++i)
+        for (Eigen::Index j = 0, pair = 0; j < n; ++j)
+          for (Eigen::Index k = 0; k <= j; ++k, ++pair)
+            scaled(i, pair) = (j == k ? 1. : 2.) * forms(j * n + k, i);
+      return scaled;
+    }
+
+    Eigen::VectorXd by_rows(const Eigen::MatrixXd &A)
+    {
+      return Eigen::MatrixXd(A.transpose()).reshaped();
+    }
+
+    InertiaTable table_of(const InertiaSamples &samples, const std::vector<InertiaSample> &material,
+                          const SampledRegion &region, const Eigen::MatrixXd &L)
+    {
+      const Eigen::MatrixXd L_mass = factor_at_rest(material.front().mass);
+      const auto            m      = static_cast<Eigen::Index>(samples.points.size());
+      const Eigen::Index    n = L.rows(), n_pairs = n * (n + 1) / 2;
+      InertiaTable          table{Eigen::MatrixXd(m, region.n_variables()),
+                         Eigen::MatrixXd(m, (1 + n) * n_pairs),
+                         Eigen::VectorXd(m),
+                         {},
+                         n_pairs};
+      for (Eigen::Index k = 0; k < m; ++k)
+      {
+        const auto at   = static_cast<std::size_t>(k);
+        table.z.row(k)  = region.variables(samples.points[at]).transpose();
+        table.weight(k) = samples.points[at].weight / (.2 + table.z.row(k).norm()); // near ones by their own size
+        table.values.row(k) << factor_entries(L_mass, material[at].mass).transpose(),
+            by_rows(in_units_of(L, material[at].quadratic)).transpose();
+      }
+      for (int i = -1; i < n; ++i)
+        for (int j = 0; j < n; ++j)
+          for (int k = 0; k <= j; ++k)
+            table.is_odd.push_back((i < 0 ? 1 : velocity_parity(i)) * velocity_parity(j) * velocity_parity(k) < 0);
+      return table;
+    }
+
+    Eigen::MatrixXd fit(const Eigen::MatrixXi &exponents, const InertiaTable &table)
+    {
+      const Eigen::MatrixXd A = table.weight.asDiagonal() * design(exponents, table.z);
+      Eigen::MatrixXd       c = Eigen::MatrixXd::Zero(exponents.rows(), table.values.cols());
+      for (const int odd : {0, 1})
+      {
+        const auto       features = of_parity(exponents, odd);
+        std::vector<int> columns;
+        for (int k = 0; k < static_cast<int>(table.is_odd.size()); ++k)
+          if (table.is_odd[static_cast<std::size_t>(k)] == odd)
+            columns.push_back(k);
+        const Eigen::MatrixXd rows = with_ridge(A(Eigen::all, features), table.weight);
+        Eigen::MatrixXd       data = Eigen::MatrixXd::Zero(rows.rows(), static_cast<Eigen::Index>(columns.size()));
+        data.topRows(A.rows())     = table.weight.asDiagonal() * table.values(Eigen::all, columns);
+        c(features, columns)       = solve_by_plain_qr(rows, data);
+      }
+      return c;
+    }
+
+    struct InertiaFitQuality
+    {
+      double mass = 0., quadratic = 0.; ///< root mean square over held-back samples, relative; of M's factor
+    };
+
+    InertiaFitQuality cross_validate(const Eigen::MatrixXi &exponents, const InertiaTable &table)
+    {
+      constexpr int   n_folds = 5;
+      Eigen::VectorXd off = Eigen::VectorXd::Zero(2), all = off;
+      for (int fold = 0; fold < n_folds; ++fold)
+      {
+        std::vector<int> kept, held;
+        for (int k = 0; k < table.z.rows(); ++k)
+          (k > 0 && k % n_folds == fold ? held : kept).push_back(k);
+        const InertiaTable    test = table.rows(held);
+        const Eigen::MatrixXd wrong =
+            test.weight.asDiagonal() * (design(exponents, test.z) * fit(exponents, table.rows(kept)) - test.values);
+        const Eigen::MatrixXd truth  = test.weight.asDiagonal() * test.values;
+        const Eigen::Index    n_rest = truth.cols() - table.n_mass;
+        off += Eigen::Vector2d(wrong.leftCols(table.n_mass).squaredNorm(), wrong.rightCols(n_rest).squaredNorm());
+        all += Eigen::Vector2d(test.weight.squaredNorm(), truth.rightCols(n_rest).squaredNorm());
+      }
+      return {std::sqrt(off(0) / all(0)), std::sqrt(off(1) / all(1))};
+    }
+
+    InertiaPolynomials polynomials_of(const Eigen::MatrixXi &exponents, const InertiaTable &table,
+                                      const Eigen::MatrixXd &mass_at_rest, const Eigen::MatrixXd &L)
+    {
+      const Eigen::MatrixXd c = fit(exponents, table);
+      const Eigen::Index    n = L.rows(), n_pairs = n * (n + 1) / 2;
+      const Eigen::MatrixXd out_of_L = solve_lower<Eigen::MatrixXd>(L, Eigen::MatrixXd::Identity(n, n));
+      InertiaPolynomials    result{factor_at_rest(mass_at_rest), c.leftCols(n_pairs),
+                                Eigen::MatrixXd(c.rows(), n * n_pairs)};
+      for (Eigen::Index f = 0; f < c.rows(); ++f) // a row of coefficients is linear in the samples like a sample
+      {
+        const Eigen::VectorXd row = c.row(f).tail(n * n_pairs).transpose();
+        result.quadratic.row(f)   = by_rows(in_units_of(out_of_L, row.reshaped(n_pairs, n).transpose())).transpose();
+      }
+      return result;
+    }
+  } // namespace
+
+  TrainedInertia train_inertia(const ReducedModel &model, const Scene &scene, const int n_samples,
+                               const MPI_Comm communicator, const std::function<void(int, int)> &on_progress)
+  {
+    const SampledRegion  region = region_of(model.resistance);
+    const InertiaSamples samples =
+        sample_inertia(model, scene, points_to_sample(model, region, n_samples), communicator, on_progress);
+    const Eigen::MatrixXd       &L = model.resistance.factor_at_rest;
+    std::vector<Eigen::MatrixXd> edge;
+    for (int k = 1; k <= region.n_variables(); ++k)
+      edge.push_back(samples.fluid.at(static_cast<std::size_t>(k)).mass);
+    const Eigen::VectorXd effects = variable_effects(samples.fluid.front().mass, edge);
+    const InertiaTable    fluid   = table_of(samples, samples.fluid, region, L),
+                       tail       = table_of(samples, samples.tail, region, L);
+
+    // The smallest set that is nearly as good as the best, for the fluid's quadratic forces, which are hardest.
+    constexpr double               nearly = 1.15;
+    const auto                     sets   = feature_sets(effects, fluid.z.rows());
+    std::vector<InertiaFitQuality> qualities;
+    double                         best = std::numeric_limits<double>::infinity();
+    for (const auto &set : sets)
+    {
+      qualities.push_back(cross_validate(set, fluid));
+      best = std::min(best, qualities.back().quadratic);
+    }
+    std::size_t chosen = 0;
+    while (qualities[chosen].quadratic > nearly * best)
+      ++chosen;
+
+    TrainedInertia result;
+    result.n_samples       = static_cast<int>(samples.points.size());
+    result.mass_error      = qualities[chosen].mass;
+    result.quadratic_error = qualities[chosen].quadratic;
+    result.power_defect    = samples.largest_power_defect;
+    result.inertia         = {sets[chosen], polynomials_of(sets[chosen], fluid, samples.fluid.front().mass, L),
+                              polynomials_of(sets[chosen], tail, samples.tail.front().mass, L), scene.head.area_m2(),
+                              scene.head.second_moment(2)};
+    return result;
+  }
+
+  void add_inertia(ReducedModel &model, const Scene &scene, const MPI_Comm communicator,
+                   const std::function<void(int, int)> &on_progress)
+  {
+    constexpr int       n_samples    = 400;
+    const TrainedRange &range        = model.range;
+    const double        frequency_Hz = range.frequency_Hz.high, viscosity_Pa_s = range.viscosity_Pa_s.low;
+    const InertiaShares shares = inertia_shares(scene, frequency_Hz, viscosity_Pa_s, range.young_modulus_Pa.high);
+    const double        group  = unsteady_group(scene, frequency_Hz, viscosity_Pa_s);
+    if (inertia_terms(scene, shares).any())
+      model.inertia = train_inertia(model, scene, n_samples, communicator, on_progress).inertia;
+    auto &neglects = model.record.neglects;
+    neglects.insert(
+        neglects.begin(),
+        model.inertia.is_given()
+            ? fmt::format("Of the fluid's inertia what is not of first order in its density: the unsteady group 2 pi "
+                          "rho f L^2 / mu is up to {:.2g}.",
+                          group)
+            : fmt::format("Inertia of fluid and solid: the unsteady group 2 pi rho f L^2 / mu is up to {:.2g}, an "
+                          "estimated {:.2g} % of the displacement are missing there with the stiffest tail.",
+                          group, 100. * shares.together()));
+  }
+} // namespace swimtwin
