@@ -46,7 +46,7 @@ namespace swimtwin
       resistance.angle_scale_rad  = 1.2;
     }
 
-    void add_inertia(const std::string &in, const std::string &out, const int n_samples, const bool with_angle)
+    void train_with_inertia(const std::string &in, const std::string &out, const int n_samples, const bool with_angle)
     {
       ReducedModel model = read_reduced_model(in);
       if (with_angle)
@@ -68,9 +68,10 @@ namespace swimtwin
 
     InertialDensities densities_of(const Scene &scene, const std::string &terms)
     {
-      const bool body = terms == "body" || terms == "full", fluid = terms == "fluid" || terms == "full";
-      return {fluid ? scene.fluid->density_kg_m3 : 0., body ? scene.tail->density_kg_m3 : 0.,
-              body ? scene.head.density_kg_m3 : 0.};
+      const auto any = [&terms](const std::string &term) { return terms == term || terms == "full"; };
+      return {any("fluid") ? scene.fluid->density_kg_m3 : 0.,
+              any("body") || terms == "tail" ? scene.tail->density_kg_m3 : terms == "head" ? 1. : 0.,
+              any("body") || terms == "head" ? scene.head.density_kg_m3 : 0.};
     }
 
     double displacement(const ReducedModel &model, const Scene &scene, const std::string &terms, const double M,
@@ -108,7 +109,7 @@ namespace swimtwin
       {
         const auto &[viscosity, M, frequency] = key;
         std::string text                      = fmt::format("{:5.3g} {:6.0f} {:4.2g}:", viscosity, M, frequency);
-        for (const char *terms : {"none", "body", "fluid", "full"})
+        for (const char *terms : {"none", "head", "tail", "body", "fluid", "full"})
           if (full_order.contains(terms))
           {
             const double truth   = full_order.at(terms);
@@ -125,6 +126,27 @@ namespace swimtwin
       }
       for (const auto &[what, sum] : sums)
         fmt::print("{}: {:.2f} % rms, {:.2f} % worst of {:.0f}\n", what, std::sqrt(sum[1] / sum[0]), sum[2], sum[0]);
+    }
+
+    void trace(const std::string &file, const std::string &terms)
+    {
+      const ReducedModel   model = read_reduced_model(file);
+      const Scene          scene = scene_of(model);
+      const ReducedSwimmer swimmer(model, densities_of(scene, terms));
+      RunRequest           request = sweep_options(scene, model).base;
+      request.parameters.magnetization_A_m = 1e5;
+      request.drive.frequency_Hz           = .8;
+      request.initial_state                = state_at_rest(swimmer);
+      request.samples_per_period           = 100;
+      SwimmerIntegrator integrator(swimmer, {});
+      const SwimmerRun  run = integrator.run(request);
+      for (const auto &snapshot : run.snapshots)
+      {
+        fmt::print("{}", snapshot.phase);
+        for (const double value : snapshot.state)
+          fmt::print(",{}", value);
+        fmt::print("\n");
+      }
     }
 
     void time(const std::string &file)
@@ -169,10 +191,12 @@ int main(int argc, char **argv)
   try
   {
     if (words.size() >= 3 && words[0] == "train")
-      swimtwin::add_inertia(words[1], words[2], words.size() > 3 ? std::stoi(words[3]) : 150,
+      swimtwin::train_with_inertia(words[1], words[2], words.size() > 3 ? std::stoi(words[3]) : 150,
                             words.size() > 4 && words[4] == "angle");
     else if (words.size() == 3 && words[0] == "compare")
       swimtwin::compare(words[1], words[2]);
+    else if (words.size() == 3 && words[0] == "trace")
+      swimtwin::trace(words[1], words[2]);
     else if (words.size() == 2 && words[0] == "time")
       swimtwin::time(words[1]);
     else

@@ -2,7 +2,7 @@
 
 #include <datasets/system/error.h>
 #include <fom/body/mesh_around.h>
-#include <fom/body/nodal_vector.h>
+#include <fom/elastic/nodal_vector.h>
 #include <rom/swimmer/shape_amplitudes.h>
 
 #include <optional>
