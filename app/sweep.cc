@@ -31,12 +31,8 @@ namespace swimtwin
   {
     /// Largest unsteady group that is computed without being asked for, and that is not warned of.
     constexpr double largest_unsteady_group = 2., noticed_share = 0.01;
-    /// Error of displacements with inertia, of which `share` comes from it (docs/study.md, section 6).
+    /// Largest error of displacements with inertia that is computed without being asked for.
     constexpr double largest_carried_error = 0.05;
-    double           error_of_carried(const double share, const double unsteady_group)
-    {
-      return share * (0.13 + 0.04 * unsteady_group);
-    }
 
     struct SweepCommand
     {
@@ -130,7 +126,7 @@ namespace swimtwin
         shares.head = 0.;
       const double share                          = shares.together();
       const auto &[frequency, viscosity, modulus] = extreme;
-      if (const double error = error_of_carried(extreme.shares(scene).together(), group);
+      if (const double error = error_of_carried_inertia(extreme.shares(scene).together(), group);
           carried.of_fluid() && error > noticed_share)
       {
         const std::string far = fmt::format(

@@ -64,12 +64,12 @@ namespace swimtwin
     void require_small_inertia(const TrainCommand &command, const Scene &scene, const TrainedRange &range)
     {
       const double group = unsteady_group(scene, range.frequency_Hz.high, range.viscosity_Pa_s.low);
-      if (group > largest_unsteady_group && !command.allow_inertia)
-        throw InputError(
-            fmt::format("the unsteady group 2 pi rho f L^2 / mu is {:.3g} at {:.4g} Hz and {:.4g} Pa s: the "
-                        "reduced swimmer neglects inertia and is not right above {:g}; lower --frequency, "
-                        "raise --viscosity, or train it all the same with --allow-inertia",
-                        group, range.frequency_Hz.high, range.viscosity_Pa_s.low, largest_unsteady_group));
+      if (group > largest_unsteady_group && scene.fluid->inertia == Inertia::none && !command.allow_inertia)
+        throw InputError(fmt::format(
+            "the unsteady group 2 pi rho f L^2 / mu is {:.3g} at {:.4g} Hz and {:.4g} Pa s, and [fluid] "
+            "inertia = \"none\": the reduced swimmer would not be right above {:g}; let it carry inertia "
+            "(\"auto\"), lower --frequency, raise --viscosity, or train it all the same with --allow-inertia",
+            group, range.frequency_Hz.high, range.viscosity_Pa_s.low, largest_unsteady_group));
     }
 
     /// "1%" or "0.01".

@@ -70,7 +70,9 @@ namespace swimtwin
     {
       const auto any = [&terms](const std::string &term) { return terms == term || terms == "full"; };
       return {any("fluid") ? scene.fluid->density_kg_m3 : 0.,
-              any("body") || terms == "tail" ? scene.tail->density_kg_m3 : terms == "head" ? 1. : 0.,
+              any("body") || terms == "tail" ? scene.tail->density_kg_m3
+              : terms == "head"              ? 1.
+                                             : 0.,
               any("body") || terms == "head" ? scene.head.density_kg_m3 : 0.};
     }
 
@@ -133,7 +135,7 @@ namespace swimtwin
       const ReducedModel   model = read_reduced_model(file);
       const Scene          scene = scene_of(model);
       const ReducedSwimmer swimmer(model, densities_of(scene, terms));
-      RunRequest           request = sweep_options(scene, model).base;
+      RunRequest           request         = sweep_options(scene, model).base;
       request.parameters.magnetization_A_m = 1e5;
       request.drive.frequency_Hz           = .8;
       request.initial_state                = state_at_rest(swimmer);
@@ -192,7 +194,7 @@ int main(int argc, char **argv)
   {
     if (words.size() >= 3 && words[0] == "train")
       swimtwin::train_with_inertia(words[1], words[2], words.size() > 3 ? std::stoi(words[3]) : 150,
-                            words.size() > 4 && words[4] == "angle");
+                                   words.size() > 4 && words[4] == "angle");
     else if (words.size() == 3 && words[0] == "compare")
       swimtwin::compare(words[1], words[2]);
     else if (words.size() == 3 && words[0] == "trace")

@@ -113,7 +113,9 @@ namespace swimtwin
       const SwimmerRun run = plain_.run(request);
       if (!run.completed())
         return run.failure;
+      const double height_m     = request.initial_state[1];
       request.initial_state     = run.at_period_end.back();
+      request.initial_state[1]  = height_m; // between walls, whatever the parameters
       const PeriodicOrbit orbit = (derivatives ? differentiated_orbits_ : plain_orbits_).find(request);
       if (!orbit.converged())
         return orbit.failure;

@@ -22,4 +22,9 @@ namespace swimtwin
     return {terms.unsteady ? scene.fluid->density_kg_m3 : 0., terms.tail ? scene.tail->density_kg_m3 : 0.,
             terms.head ? scene.head.density_kg_m3 : 0.};
   }
+
+  double error_of_carried_inertia(const double share, const double unsteady_group)
+  {
+    return share * (0.04 + 0.0065 * unsteady_group * unsteady_group);
+  }
 } // namespace swimtwin

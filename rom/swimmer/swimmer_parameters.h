@@ -50,4 +50,8 @@ namespace swimtwin
   /// The scene's densities, of the terms that are carried. Throws InputError if the fluid's unsteady and convective
   /// terms are not carried together: the reduced swimmer knows only both.
   InertialDensities inertial_densities(const Scene &scene, const InertiaTerms &terms);
+
+  /// How far off a displacement is at most, relative, if inertia is worth `share` of it and the reduced swimmer carries
+  /// it, to first order in the fluid's density: a bound on what the reference swimmers show (docs/study.md, section 6).
+  double error_of_carried_inertia(double share, double unsteady_group);
 } // namespace swimtwin

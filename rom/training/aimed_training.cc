@@ -1,9 +1,11 @@
 #include <rom/training/aimed_training.h>
 
-#include <datasets/reduced/reduced_model.h>
+#include <datasets/reduced/held_out_error.h>
 #include <datasets/system/provenance.h>
 #include <rom/training/aim.h>
 #include <rom/training/cpu_budget.h>
+#include <rom/training/explored_shapes.h>
+#include <rom/training/held_out_runs.h>
 #include <rom/training/inertia_training.h>
 #include <rom/training/training.h>
 
@@ -134,13 +136,49 @@ namespace swimtwin
                                                 : "another mode";
       }
 
+      std::function<void(int, int)> progress(const std::string &stage) const
+      {
+        return [this, stage](const int done, const int total) {
+          if (options_.on_progress)
+            options_.on_progress(stage, done, total);
+        };
+      }
+
+      /// If the scene asks for it; it must not be worse than what would be said of leaving it out.
+      void carry_inertia()
+      {
+        add_inertia(best_, scene_, communicator_, progress("inertia samples"));
+        if (best_.inertia.is_given() && options_.n_held_out > 0)
+          if (largest_error_with_inertia() > largest_borne_error)
+            best_.inertia = {};
+        budget_.book("inertia");
+        auto &neglects = best_.record.neglects;
+        neglects.insert(neglects.begin(), neglected_inertia(best_, scene_));
+      }
+
+      /// In the slowest and the fastest of the held-out runs.
+      double largest_error_with_inertia()
+      {
+        auto       members = spread_members(options_.range, options_.n_held_out, 200);
+        const auto slower  = [](const RunParameters &a, const RunParameters &b) {
+          return a.frequency_Hz < b.frequency_Hz;
+        };
+        const auto [slowest, fastest] = std::minmax_element(members.begin(), members.end(), slower);
+        members                       = {*slowest, *fastest};
+        const auto stage              = progress("held-out runs with inertia");
+        const auto runs               = compare_with_inertia(
+                          best_, scene_, members, {options_.folder / "held-out-with-inertia", options_.command_line, {}, stage},
+                          communicator_);
+        const auto error = [this](const HeldOutRun &run) { return relative_error(run, best_.record); };
+        history_.push_back(fmt::format("With inertia: off by {:.2g} % at {:.3g} Hz and by {:.2g} % at {:.3g} Hz.",
+                                       100. * error(runs[0]), runs[0].frequency_Hz, 100. * error(runs[1]),
+                                       runs[1].frequency_Hz));
+        return std::max(std::abs(error(runs[0])), std::abs(error(runs[1])));
+      }
+
       ReducedModel concluded(const std::string &end)
       {
-        add_inertia(best_, scene_, communicator_, [this](const int done, const int total) {
-          if (options_.on_progress)
-            options_.on_progress("inertia samples", done, total);
-        });
-        budget_.book("inertia");
+        carry_inertia();
         auto &record      = best_.record;
         record.cpu_time_s = budget_.spent_s();
         record.history    = history_;

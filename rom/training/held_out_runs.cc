@@ -28,9 +28,10 @@ namespace swimtwin
                                                  const MPI_Comm communicator)
     {
       options.folder /= fmt::format("{}-steps", steps_per_period);
-      options.overrides = {fmt::format("time.periods={}", n_periods),
-                           fmt::format("time.steps_per_period={}", steps_per_period), "output.snapshots_per_period=1",
-                           "output.fields_per_period=0"};
+      for (const auto &setting :
+           {fmt::format("time.periods={}", n_periods), fmt::format("time.steps_per_period={}", steps_per_period),
+            std::string("output.snapshots_per_period=1"), std::string("output.fields_per_period=0")})
+        options.overrides.push_back(setting);
       std::vector<double> displacements;
       for (const auto &folder : run_full_order(scene, members, options, communicator))
         displacements.push_back(displacement_of_last_period(folder / "summary.json"));
@@ -38,10 +39,12 @@ namespace swimtwin
     }
   } // namespace
 
-  SweepResult predict(const ReducedModel &model, const Scene &scene, const RunParameters &parameters)
+  SweepResult predict(const ReducedModel &model, const Scene &scene, const RunParameters &parameters,
+                      const InertialDensities &densities)
   {
     const auto  &p       = parameters;
     SweepOptions options = sweep_options(scene, model);
+    options.densities    = densities;
     options.n_periods    = n_periods;
     options.periodic     = false;
     options.n_threads    = 1;
@@ -68,6 +71,26 @@ namespace swimtwin
                       fine[k],
                       std::abs(fine[k] - half[k]) / 3., // second order in the step
                       predicted.displacement_m, predicted.error_indicator_m, predicted.fit_change_m});
+    }
+    return runs;
+  }
+
+  std::vector<HeldOutRun> compare_with_inertia(const ReducedModel &model, const Scene &scene,
+                                               const std::vector<RunParameters> &members,
+                                               const TrainingRunOptions &options, const MPI_Comm communicator)
+  {
+    TrainingRunOptions carried = options;
+    carried.overrides          = {"fluid.inertia=full"};
+    const InertialDensities densities =
+        inertial_densities(scene, {.unsteady = true, .convective = true, .tail = true, .head = true});
+    const auto displacements =
+        full_order_displacements(scene, members, carried, scene.time.steps_per_period, communicator);
+    std::vector<HeldOutRun> runs;
+    for (std::size_t k = 0; k < members.size(); ++k)
+    {
+      const auto &p = members[k];
+      runs.push_back({p.young_modulus_Pa, p.viscosity_Pa_s, p.magnetization_A_m, p.frequency_Hz, p.bx_T, p.by_T,
+                      displacements[k], 0., predict(model, scene, p, densities).displacement_m, 0., 0.});
     }
     return runs;
   }

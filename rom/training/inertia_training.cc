@@ -212,25 +212,34 @@ namespace swimtwin
     return result;
   }
 
+  namespace
+  {
+    /// Where inertia matters most in the model's range.
+    InertiaShares largest_shares(const Scene &scene, const TrainedRange &range)
+    {
+      return inertia_shares(scene, range.frequency_Hz.high, range.viscosity_Pa_s.low, range.young_modulus_Pa.high);
+    }
+  } // namespace
+
   void add_inertia(ReducedModel &model, const Scene &scene, const MPI_Comm communicator,
                    const std::function<void(int, int)> &on_progress)
   {
-    constexpr int       n_samples    = 400;
-    const TrainedRange &range        = model.range;
-    const double        frequency_Hz = range.frequency_Hz.high, viscosity_Pa_s = range.viscosity_Pa_s.low;
-    const InertiaShares shares = inertia_shares(scene, frequency_Hz, viscosity_Pa_s, range.young_modulus_Pa.high);
-    const double        group  = unsteady_group(scene, frequency_Hz, viscosity_Pa_s);
-    if (inertia_terms(scene, shares).any())
+    constexpr int n_samples = 400;
+    if (inertia_terms(scene, largest_shares(scene, model.range)).any())
       model.inertia = train_inertia(model, scene, n_samples, communicator, on_progress).inertia;
-    auto &neglects = model.record.neglects;
-    neglects.insert(
-        neglects.begin(),
-        model.inertia.is_given()
-            ? fmt::format("Of the fluid's inertia what is not of first order in its density: the unsteady group 2 pi "
-                          "rho f L^2 / mu is up to {:.2g}.",
-                          group)
-            : fmt::format("Inertia of fluid and solid: the unsteady group 2 pi rho f L^2 / mu is up to {:.2g}, an "
-                          "estimated {:.2g} % of the displacement are missing there with the stiffest tail.",
-                          group, 100. * shares.together()));
+  }
+
+  std::string neglected_inertia(const ReducedModel &model, const Scene &scene)
+  {
+    const TrainedRange &range = model.range;
+    const double        group = unsteady_group(scene, range.frequency_Hz.high, range.viscosity_Pa_s.low);
+    return model.inertia.is_given()
+               ? fmt::format(
+                     "Of the fluid's inertia what is not of first order in its density: the unsteady group 2 pi "
+                     "rho f L^2 / mu is up to {:.2g}.",
+                     group)
+               : fmt::format("Inertia of fluid and solid: the unsteady group 2 pi rho f L^2 / mu is up to {:.2g}, an "
+                             "estimated {:.2g} % of the displacement are missing there with the stiffest tail.",
+                             group, 100. * largest_shares(scene, range).together());
   }
 } // namespace swimtwin

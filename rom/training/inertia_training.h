@@ -18,8 +18,10 @@ namespace swimtwin
   TrainedInertia train_inertia(const ReducedModel &model, const Scene &scene, int n_samples, MPI_Comm communicator,
                                const std::function<void(int, int)> &on_progress = {});
 
-  /// Where the scene asks for inertia somewhere in the model's range, to its model; states what is left out.
-  /// Collective.
+  /// Where the scene asks for inertia somewhere in the model's range, to its model. Collective.
   void add_inertia(ReducedModel &model, const Scene &scene, MPI_Comm communicator,
                    const std::function<void(int, int)> &on_progress = {});
+
+  /// One sentence on what of the inertia the model leaves out.
+  std::string neglected_inertia(const ReducedModel &model, const Scene &scene);
 } // namespace swimtwin
