@@ -78,7 +78,11 @@ namespace swimtwin
     {
       double frequency_Hz, viscosity_Pa_s, young_modulus_Pa;
 
-      double        group(const Scene &scene) const { return unsteady_group(scene, frequency_Hz, viscosity_Pa_s); }
+      double group(const Scene &scene) const { return unsteady_group(scene, frequency_Hz, viscosity_Pa_s); }
+      double group_of_domain(const Scene &scene) const
+      {
+        return unsteady_group_of_domain(scene, frequency_Hz, viscosity_Pa_s);
+      }
       InertiaShares shares(const Scene &scene) const
       {
         return inertia_shares(scene, frequency_Hz, viscosity_Pa_s, young_modulus_Pa);
@@ -126,7 +130,8 @@ namespace swimtwin
         shares.head = 0.;
       const double share                          = shares.together();
       const auto &[frequency, viscosity, modulus] = extreme;
-      if (const double error = error_of_carried_inertia(extreme.shares(scene).together(), group);
+      if (const double error =
+              error_of_carried_inertia(extreme.shares(scene).together(), extreme.group_of_domain(scene));
           carried.of_fluid() && error > noticed_share)
       {
         const std::string far = fmt::format(

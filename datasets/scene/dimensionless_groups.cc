@@ -1,6 +1,7 @@
 #include <datasets/scene/dimensionless_groups.h>
 
 #include <datasets/scene/inertia_terms.h>
+#include <datasets/surface/closed_surface.h>
 
 #include <fmt/format.h>
 
@@ -29,6 +30,20 @@ namespace swimtwin
     if (!scene.fluid || scene.time.period_s <= 0.)
       return 0.;
     return unsteady_group(scene, 1. / scene.time.period_s, scene.fluid->viscosity_Pa_s);
+  }
+
+  double fluid_reach_m(const Scene &scene)
+  {
+    const Domain &domain = *scene.domain;
+    if (domain.surface)
+      return .5 * extent(domain.surface->nodes).size().head<2>().minCoeff();
+    return domain.radius_m > 0. ? domain.radius_m : .5 * std::min(domain.size_m[0], domain.size_m[1]);
+  }
+
+  double unsteady_group_of_domain(const Scene &scene, const double frequency_Hz, const double viscosity_Pa_s)
+  {
+    const double reach = fluid_reach_m(scene) / scene.body_length_m();
+    return reach * reach * unsteady_group(scene, frequency_Hz, viscosity_Pa_s);
   }
 
   double largest_imposed_speed_m_s(const Scene &scene)

@@ -11,6 +11,11 @@ namespace swimtwin
   double unsteady_group(const Scene &scene);
   /// The same at another frequency and viscosity.
   double unsteady_group(const Scene &scene, double frequency_Hz, double viscosity_Pa_s);
+  /// How far (m) the fluid reaches: half of the smaller extent of the domain in the plane of motion. Scene with a
+  /// domain.
+  double fluid_reach_m(const Scene &scene);
+  /// The unsteady group of that length.
+  double unsteady_group_of_domain(const Scene &scene, double frequency_Hz, double viscosity_Pa_s);
   /// Largest speed (m/s) that walls, inflows and given motions ever impose.
   double largest_imposed_speed_m_s(const Scene &scene);
   /// A sentence if inertia is neglected without the scene having said so, and is not small; else empty.

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace swimtwin
 {
   SwimmerParameters swimmer_parameters(const Scene &scene)
@@ -23,8 +25,8 @@ namespace swimtwin
             terms.head ? scene.head.density_kg_m3 : 0.};
   }
 
-  double error_of_carried_inertia(const double share, const double unsteady_group)
+  double error_of_carried_inertia(const double share, const double unsteady_group_of_domain)
   {
-    return share * (0.04 + 0.0065 * unsteady_group * unsteady_group);
+    return 0.04 * share * std::max(1., unsteady_group_of_domain);
   }
 } // namespace swimtwin

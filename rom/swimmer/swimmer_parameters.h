@@ -52,6 +52,7 @@ namespace swimtwin
   InertialDensities inertial_densities(const Scene &scene, const InertiaTerms &terms);
 
   /// How far off a displacement is at most, relative, if inertia is worth `share` of it and the reduced swimmer carries
-  /// it, to first order in the fluid's density: a bound on what the reference swimmers show (docs/study.md, section 6).
-  double error_of_carried_inertia(double share, double unsteady_group);
+  /// it, to first order in the fluid's density: a bound on what swimmers in a box and in an open disc show
+  /// (docs/study.md, section 6).
+  double error_of_carried_inertia(double share, double unsteady_group_of_domain);
 } // namespace swimtwin

@@ -36,8 +36,8 @@ namespace swimtwin
       }
     }
 
-    /// Every length s times as long, for shapes that are sums of modes. Per unit depth areas grow with s^2, and so do torques and energies; of the
-    /// resistances force to velocity keeps its size, couple to turning grows with s^2.
+    /// Every length s times as long, for shapes that are sums of modes. Per unit depth areas grow with s^2, and so do
+    /// torques and energies; of the resistances force to velocity keeps its size, couple to turning grows with s^2.
     ReducedModel similar(ReducedModel model, const double s)
     {
       const int n = model.n_modes() + 3, R = model.tail.n_amplitudes();
@@ -72,15 +72,15 @@ namespace swimtwin
 
   TEST(ExactDisplacements, ASimilarSwimmerSwimsFartherInProportionToItsLength)
   {
-    const double           s = 1.7;
-    const ReducedModel     model = read_reduced_model(std::string(places::source) + "/tests/models/reference-2d-version-1.h5");
+    const double       s = 1.7;
+    const ReducedModel model =
+        read_reduced_model(std::string(places::source) + "/tests/models/reference-2d-version-1.h5");
     const CalibrationModel swimmer(model), larger(similar(model, s));
     for (const std::optional<int> period : {std::optional<int>(3), std::optional<int>()})
     {
-      const auto            same     = conditions(period);
-      const Eigen::VectorXd of_scene = ExactDisplacements(swimmer, same, {.relative_tolerance = 1e-9})
-                                           .evaluate(known_swimmer(), false)
-                                           .value_m;
+      const auto            same = conditions(period);
+      const Eigen::VectorXd of_scene =
+          ExactDisplacements(swimmer, same, {.relative_tolerance = 1e-9}).evaluate(known_swimmer(), false).value_m;
       const Eigen::VectorXd of_larger =
           ExactDisplacements(larger, same, {.relative_tolerance = 1e-9}).evaluate(known_swimmer(), false).value_m;
       EXPECT_LT((of_larger - s * of_scene).cwiseAbs().maxCoeff(), 1e-6 * of_larger.cwiseAbs().maxCoeff());
