@@ -77,6 +77,10 @@ namespace swimtwin
     writer.write_matrix("/snapshots/velocity_m_s", set.tail_velocity_m_s,
                         {"m/s", "rate of the tail displacement in the head's frame, laid out like it"});
     writer.write_matrix("/snapshots/pose", set.pose, {"m, m, rad", "x and y of the head's centre, angle"});
+    if (set.pose_in_space.size() > 0)
+      writer.write_matrix("/snapshots/pose_in_space", set.pose_in_space,
+                          {"m, m, m, 1, 1, 1, 1", "x, y and z of the head's centre, its rotation as a unit quaternion: "
+                                                  "w, x, y, z"});
     writer.write_matrix("/snapshots/field_T", set.field_T, {"T", "magnetic flux density"});
     write_provenance(writer, provenance);
     writer.save(file);
@@ -97,7 +101,9 @@ namespace swimtwin
     set.tail_displacement_m        = read_sized_matrix(reader, "/snapshots/displacement_m", n_snapshots, n);
     set.tail_velocity_m_s          = read_sized_matrix(reader, "/snapshots/velocity_m_s", n_snapshots, n);
     set.pose                       = read_sized_matrix(reader, "/snapshots/pose", n_snapshots, 3);
-    set.field_T                    = read_sized_matrix(reader, "/snapshots/field_T", n_snapshots, 3);
+    if (reader.contains("/snapshots/pose_in_space"))
+      set.pose_in_space = read_sized_matrix(reader, "/snapshots/pose_in_space", n_snapshots, 7);
+    set.field_T = read_sized_matrix(reader, "/snapshots/field_T", n_snapshots, 3);
     return set;
   }
 } // namespace swimtwin

@@ -24,7 +24,9 @@ namespace swimtwin
     Eigen::MatrixXd             tail_displacement_m; ///< n_snapshots x n, in the head's frame
     Eigen::MatrixXd             tail_velocity_m_s;   ///< n_snapshots x n, rate of the above
     Eigen::MatrixXd             pose;                ///< n_snapshots x 3: x (m), y (m), angle (rad)
-    Eigen::MatrixXd             field_T;             ///< n_snapshots x 3
+    Eigen::MatrixXd             pose_in_space;       ///< n_snapshots x 7: x, y, z (m), unit quaternion w, x, y, z;
+                                                     ///< empty for motions in a plane
+    Eigen::MatrixXd field_T;                         ///< n_snapshots x 3
   };
 
   /// Layout (docs/file-formats.md): groups /tail (nodes_m, cells, clamped_nodes, mass in CSR), /snapshots (time_s,

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <iterator>
@@ -18,10 +19,17 @@ namespace swimtwin
     {
       const char                                                                        *name;
       std::variant<double TrajectoryRow::*, int TrajectoryRow::*, bool TrajectoryRow::*> member;
-      bool may_be_missing = false; ///< in tables of earlier versions
+      enum class Place {
+        everywhere,
+        everywhere_now, ///< may be missing in tables of earlier versions
+        in_space,
+        out_of_plane ///< in space, where motions leave the plane of x and y
+      } place = Place::everywhere;
     };
+    constexpr auto everywhere_now = Column::Place::everywhere_now, in_space = Column::Place::in_space,
+                   out_of_plane = Column::Place::out_of_plane;
 
-    const std::array<Column, 25> columns{{
+    const std::array<Column, 38> columns{{
         {"time_s", &TrajectoryRow::time_s},
         {"head_x_m", &TrajectoryRow::head_x_m},
         {"head_y_m", &TrajectoryRow::head_y_m},
@@ -35,23 +43,49 @@ namespace swimtwin
         {"external_power_W_m", &TrajectoryRow::external_power_W_m},
         {"dissipation_W_m", &TrajectoryRow::dissipation_W_m},
         {"elastic_energy_J_m", &TrajectoryRow::elastic_energy_J_m},
-        {"kinetic_energy_J_m", &TrajectoryRow::kinetic_energy_J_m, true},
-        {"kinetic_outflow_W_m", &TrajectoryRow::kinetic_outflow_W_m, true},
-        {"kinetic_growth_W_m", &TrajectoryRow::kinetic_growth_W_m, true},
+        {"kinetic_energy_J_m", &TrajectoryRow::kinetic_energy_J_m, everywhere_now},
+        {"kinetic_outflow_W_m", &TrajectoryRow::kinetic_outflow_W_m, everywhere_now},
+        {"kinetic_growth_W_m", &TrajectoryRow::kinetic_growth_W_m, everywhere_now},
         {"head_force_x_N_m", &TrajectoryRow::head_force_x_N_m},
         {"head_force_y_N_m", &TrajectoryRow::head_force_y_N_m},
         {"head_torque_N", &TrajectoryRow::head_torque_N},
-        {"fluid_force_x_N_m", &TrajectoryRow::fluid_force_x_N_m, true},
-        {"fluid_force_y_N_m", &TrajectoryRow::fluid_force_y_N_m, true},
-        {"fluid_torque_N", &TrajectoryRow::fluid_torque_N, true},
+        {"fluid_force_x_N_m", &TrajectoryRow::fluid_force_x_N_m, everywhere_now},
+        {"fluid_force_y_N_m", &TrajectoryRow::fluid_force_y_N_m, everywhere_now},
+        {"fluid_torque_N", &TrajectoryRow::fluid_torque_N, everywhere_now},
         {"coupling_iterations", &TrajectoryRow::coupling_iterations},
         {"n_unknowns", &TrajectoryRow::n_unknowns},
         {"remeshed", &TrajectoryRow::remeshed},
+        {"head_z_m", &TrajectoryRow::head_z_m, in_space},
+        {"tail_tip_z_m", &TrajectoryRow::tail_tip_z_m, in_space},
+        {"head_qw", &TrajectoryRow::head_qw, in_space},
+        {"head_qx", &TrajectoryRow::head_qx, in_space},
+        {"head_qy", &TrajectoryRow::head_qy, in_space},
+        {"head_qz", &TrajectoryRow::head_qz, in_space},
+        {"bz_T", &TrajectoryRow::bz_T, out_of_plane},
+        {"head_force_z_N", &TrajectoryRow::head_force_z_N, out_of_plane},
+        {"head_torque_x_N_m", &TrajectoryRow::head_torque_x_N_m, out_of_plane},
+        {"head_torque_y_N_m", &TrajectoryRow::head_torque_y_N_m, out_of_plane},
+        {"fluid_force_z_N", &TrajectoryRow::fluid_force_z_N, out_of_plane},
+        {"fluid_torque_x_N_m", &TrajectoryRow::fluid_torque_x_N_m, out_of_plane},
+        {"fluid_torque_y_N_m", &TrajectoryRow::fluid_torque_y_N_m, out_of_plane},
     }};
 
-    /// The name of a column in three dimensions: forces, powers and energies are whole, not per depth.
-    std::string name_in_space(const std::string &name)
+    bool is_spatial(const Column &column)
     {
+      return column.place == in_space || column.place == out_of_plane;
+    }
+
+    bool leaves_plane(const Trajectory &trajectory)
+    {
+      return std::any_of(trajectory.begin(), trajectory.end(), [](const TrajectoryRow &row) { return row.bz_T != 0.; });
+    }
+
+    /// The name of a column in three dimensions: forces, powers and energies are whole, not per depth.
+    std::string name_in_space(const Column &column)
+    {
+      const std::string name = column.name;
+      if (is_spatial(column))
+        return name;
       if (name.ends_with("torque_N"))
         return name + "_m";
       for (const char *unit : {"_W_m", "_J_m", "_N_m"})
@@ -154,19 +188,11 @@ namespace swimtwin
   {
     require_finite_numbers(file, trajectory);
     std::vector<CsvColumn<TrajectoryRow>> cells;
+    const bool                            is_planar = !leaves_plane(trajectory);
     for (const Column &column : columns)
-      cells.push_back({dimension == 3 ? name_in_space(column.name) : column.name,
-                       [&column](const TrajectoryRow &row) { return value_of(row, column); }});
-    if (dimension == 3)
-    {
-      const auto zero = [](const TrajectoryRow &) { return 0.; };
-      for (const char *name : {"head_z_m", "tail_tip_z_m"})
-        cells.push_back({name, zero});
-      cells.push_back({"head_qw", [](const TrajectoryRow &row) { return std::cos(row.head_angle_rad / 2.); }});
-      for (const char *name : {"head_qx", "head_qy"})
-        cells.push_back({name, zero});
-      cells.push_back({"head_qz", [](const TrajectoryRow &row) { return std::sin(row.head_angle_rad / 2.); }});
-    }
+      if (!(dimension == 2 && is_spatial(column)) && !(is_planar && column.place == out_of_plane))
+        cells.push_back({dimension == 3 ? name_in_space(column) : column.name,
+                         [&column](const TrajectoryRow &row) { return value_of(row, column); }});
     csv_table(cells, trajectory).save(file);
   }
 
@@ -176,11 +202,11 @@ namespace swimtwin
     Trajectory     trajectory(table.n_rows());
     for (const Column &column : columns)
     {
-      const std::string in_space = name_in_space(column.name);
-      const bool        is_whole = !table.has_column(column.name) && table.has_column(in_space);
-      if (column.may_be_missing && !is_whole && !table.has_column(column.name))
+      const std::string whole    = name_in_space(column);
+      const bool        is_whole = !table.has_column(column.name) && table.has_column(whole);
+      if (column.place != Column::Place::everywhere && !is_whole && !table.has_column(column.name))
         continue;
-      const std::vector<double> values = table.column(is_whole ? in_space : column.name);
+      const std::vector<double> values = table.column(is_whole ? whole : column.name);
       for (std::size_t i = 0; i < values.size(); ++i)
         set_value(trajectory[i], column, values[i]);
     }

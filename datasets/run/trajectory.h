@@ -31,6 +31,13 @@ namespace swimtwin
     int  coupling_iterations = 0;
     int  n_unknowns          = 0;
     bool remeshed            = false; ///< the step to this instant made a new fluid mesh
+
+    // In three dimensions only: whole quantities.
+    double head_z_m = 0., tail_tip_z_m = 0.;
+    double head_qw = 1., head_qx = 0., head_qy = 0., head_qz = 0.; ///< rotation of the head: a unit quaternion
+    double bz_T           = 0.;
+    double head_force_z_N = 0., head_torque_x_N_m = 0., head_torque_y_N_m = 0.;
+    double fluid_force_z_N = 0., fluid_torque_x_N_m = 0., fluid_torque_y_N_m = 0.;
   };
 
   using Trajectory = std::vector<TrajectoryRow>;
@@ -95,8 +102,9 @@ namespace swimtwin
   void summarize_motion(const Trajectory &trajectory, double period_s, double initial_angle_rad, RunSummary &summary);
 
   /// CSV with a header line of the field names above; the numbers read back the same. In three dimensions units in
-  /// names are those of whole quantities, and z and the rotation as a unit quaternion are added, of a motion in the
-  /// plane of x and y. ComputationError for a number that is not finite.
+  /// names are those of whole quantities, and z and the rotation as a unit quaternion are added; where the field has a
+  /// component along z, that and the forces and torques out of the plane as well. ComputationError for a number that is
+  /// not finite.
   void       write_trajectory_csv(const std::filesystem::path &file, const Trajectory &trajectory, int dimension = 2);
   Trajectory read_trajectory_csv(const std::filesystem::path &file);
 } // namespace swimtwin

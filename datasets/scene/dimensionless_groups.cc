@@ -85,8 +85,9 @@ namespace swimtwin
       return 0.;
     const auto   field = scene.field(0.25 * scene.time.period_s);
     const double L     = scene.body_length_m();
-    return scene.head.magnetization_A_m * scene.head.volume(scene.dimension) * std::hypot(field[0], field[1]) *
-           scene.time.period_s / (scene.fluid->viscosity_Pa_s * std::pow(L, scene.dimension));
+    return scene.head.magnetization_A_m * scene.head.volume(scene.dimension) *
+           std::hypot(field[0], field[1], field[2]) * scene.time.period_s /
+           (scene.fluid->viscosity_Pa_s * std::pow(L, scene.dimension));
   }
 
   MagneticSwing magnetic_swing(const Scene &scene)

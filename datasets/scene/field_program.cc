@@ -101,22 +101,25 @@ namespace swimtwin
     }
   } // namespace
 
-  FieldProgram FieldProgram::constant(const double bx_T, const double by_T)
+  FieldProgram FieldProgram::constant(const double bx_T, const double by_T, const double bz_T)
   {
     FieldProgram field;
-    field.waveform_ = Waveform::constant;
-    field.bx_T_     = bx_T;
-    field.by_T_     = by_T;
+    field.waveform_     = Waveform::constant;
+    field.bx_T_         = bx_T;
+    field.by_T_         = by_T;
+    field.along_z_.bz_T = bz_T;
     return field;
   }
 
-  FieldProgram FieldProgram::sinusoidal(const double bx_T, const double by_T, const double frequency_Hz)
+  FieldProgram FieldProgram::sinusoidal(const double bx_T, const double by_T, const double frequency_Hz,
+                                        const FieldAlongZ &along_z)
   {
     if (!std::isfinite(frequency_Hz) || frequency_Hz <= 0.)
       throw InputError(fmt::format("frequency_Hz = {} of a sinusoidal field must be positive.", frequency_Hz));
     FieldProgram field = constant(bx_T, by_T);
     field.waveform_    = Waveform::sinusoidal;
     field.period_s_    = 1. / frequency_Hz;
+    field.along_z_     = along_z;
     return field;
   }
 
@@ -160,6 +163,11 @@ namespace swimtwin
     return field;
   }
 
+  bool FieldProgram::leaves_plane() const
+  {
+    return along_z_.bz_T != 0. || std::any_of(b_T_.begin(), b_T_.end(), [](const Vector &b) { return b[2] != 0.; });
+  }
+
   std::array<double, 3> FieldProgram::operator()(const double time_s) const
   {
     const double amplitude = ramp_s > 0. && time_s < ramp_s ? std::max(0., time_s / ramp_s) : 1.;
@@ -169,11 +177,13 @@ namespace swimtwin
     case Waveform::none:
       break;
     case Waveform::constant:
-      b = {bx_T_, by_T_, 0.};
+      b = {bx_T_, by_T_, along_z_.bz_T};
       break;
-    case Waveform::sinusoidal:
-      b = {bx_T_, by_T_ * std::sin(2. * std::numbers::pi * time_s / period_s_), 0.};
+    case Waveform::sinusoidal: {
+      const double phase = 2. * std::numbers::pi * time_s / period_s_;
+      b                  = {bx_T_, by_T_ * std::sin(phase), along_z_.bz_T * std::sin(phase + along_z_.phase_rad)};
       break;
+    }
     case Waveform::sampled:
       b = interpolate_periodic(time_s_, b_T_, period_s_, time_s);
       break;

@@ -1,4 +1,5 @@
 #include <datasets/scene/mirror_plane.h>
+#include <datasets/scene/scene_surfaces.h>
 
 #include <algorithm>
 #include <cmath>
@@ -124,7 +125,7 @@ namespace swimtwin
     if (scene.domain && scene.domain->surface)
       return {"the walls are read from a surface", {}};
     if (scene.dimension == 3) // z = 0: bodies of revolution in planar fields
-      return {};
+      return {is_magnetised(scene) && scene.field.leaves_plane() ? "the field has a component along z" : "", {}};
     MirrorPlane plane{why_missing(scene), {}};
     if (plane.exists())
       plane.doubt = why_doubtful(scene);
@@ -138,6 +139,12 @@ namespace swimtwin
     const bool is_partitioned = scene.numerics.coupling == CouplingScheme::fixed_point && scene.fluid && scene.tail;
     const MirrorPlane plane   = find_mirror_plane(scene);
     return plane.exists() && plane.doubt.empty() && !is_partitioned;
+  }
+
+  bool moves_in_plane(const Scene &scene)
+  {
+    return scene.dimension == 3 && (solves_half(scene) || (scene.has_surfaces() && way_out_of_plane(scene).empty() &&
+                                                           !(is_magnetised(scene) && scene.field.leaves_plane())));
   }
 
   std::string symmetry_warning(const Scene &scene)

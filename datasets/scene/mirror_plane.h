@@ -23,6 +23,10 @@ namespace swimtwin
   /// plane beyond doubt and is not partitioned.
   bool solves_half(const Scene &scene);
 
+  /// In space: whether a free head keeps to the plane z = 0, with three velocities in the place of six. It does where
+  /// half is solved, and where what is read from surfaces is its own mirror image there, though its meshes are not.
+  bool moves_in_plane(const Scene &scene);
+
   /// A sentence for a run that solves half of a scene whose symmetric motion may be unstable; empty for others.
   std::string symmetry_warning(const Scene &scene);
 } // namespace swimtwin

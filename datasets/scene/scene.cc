@@ -34,6 +34,23 @@ namespace swimtwin
     return volume(3) * (shape == HeadShape::rectangle ? xx / 12. + yy / 16. : (xx + yy) / 20.);
   }
 
+  std::array<std::array<double, 3>, 3> Head::second_moments() const
+  {
+    std::array<std::array<double, 3>, 3> moments{};
+    if (!enclosed)
+    {
+      const double across = second_moment(3);
+      moments[0][0]       = volume(3) * size_m[1] * size_m[1] / (shape == HeadShape::rectangle ? 8. : 10.);
+      moments[1][1] = moments[2][2] = across;
+      return moments;
+    }
+    const double trace = enclosed->second_moment_m5.trace();
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        moments[i][j] = (i == j ? trace : 0.) - enclosed->second_moment_m5(i, j);
+    return moments;
+  }
+
   double Tail::mean_height_m() const
   {
     if (profile_m.empty())

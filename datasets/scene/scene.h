@@ -120,6 +120,8 @@ namespace swimtwin
     double volume(int dimension) const;
     /// int (x^2 + y^2) dV about the centre: times the density, the moment of inertia about z.
     double second_moment(int dimension) const;
+    /// In space: int (r^2 I - r r^T) dV in the head's frame; times the density, the tensor of inertia about the centre.
+    std::array<std::array<double, 3>, 3> second_moments() const;
   };
 
   /// A tail's given bending: its axis, inextensible and with rigid cross sections, has at the arc length s from the

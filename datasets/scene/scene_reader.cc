@@ -273,10 +273,13 @@ namespace swimtwin
       TomlTable              table(document, "field");
       FieldProgram::Waveform waveform = FieldProgram::Waveform::sinusoidal;
       double                 bx_T = 0., by_T = 0., frequency_Hz = 0., period_s = 0., ramp_s = 0.;
+      FieldAlongZ            along_z;
       std::string            program, program_digest;
       read_choice(table, "waveform", waveform);
       table.number("bx_T", optional("T", any_number), bx_T);
       table.number("by_T", optional("T", any_number), by_T);
+      table.number("bz_T", optional("T", any_number), along_z.bz_T);
+      table.number("bz_phase_rad", optional("rad", any_number), along_z.phase_rad);
       table.number("frequency_Hz", optional("Hz"), frequency_Hz);
       table.text("program", program);
       table.text("program_sha256", program_digest);
@@ -301,9 +304,9 @@ namespace swimtwin
         field = FieldProgram::read_csv(file, period_s);
       }
       else if (waveform == FieldProgram::Waveform::constant)
-        field = FieldProgram::constant(bx_T, by_T);
+        field = FieldProgram::constant(bx_T, by_T, along_z.bz_T);
       else
-        field = FieldProgram::sinusoidal(bx_T, by_T, frequency_Hz);
+        field = FieldProgram::sinusoidal(bx_T, by_T, frequency_Hz, along_z);
       field.ramp_s = ramp_s;
       return field;
     }

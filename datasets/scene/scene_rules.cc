@@ -137,27 +137,23 @@ namespace swimtwin
             "does not converge; use \"monolithic\", or [fluid] inertia = \"none\".");
     }
 
-    /// Motions in space are planar so far: the mirror image of everything at z = 0 is there, too.
+    void check_plane(const TomlDocument &document, const Scene &scene)
+    {
+      if (!scene.field.leaves_plane())
+        return;
+      const bool is_program = has(document, "field", "program");
+      document.refuse(
+          "field", is_program ? "program" : "bz_T",
+          fmt::format("{}, which turns the swimmer out of the plane; set bz_T to zero, or use dimension = 3.",
+                      is_program ? "has values of bz_T that are not zero" : "is not zero"));
+    }
+
     void check_space(const TomlDocument &document, const Scene &scene)
     {
       if (scene.dimension != 3)
-        return;
-      const auto &samples = scene.field.b_T();
-      if (std::any_of(samples.begin(), samples.end(), [](const auto &b) { return b[2] != 0.; }))
-        document.refuse(
-            "field", "program",
-            "has a component bz_T, which turns the swimmer out of the plane; in three dimensions motions are "
-            "planar so far: set it to zero.");
+        return check_plane(document, scene);
       if (scene.numerics.coupling == CouplingScheme::fixed_point)
         document.refuse("numerics", "coupling", "cannot be \"fixed-point\" in three dimensions; use \"monolithic\".");
-      if (const std::string reason = scene.head.is_free() && scene.has_surfaces() ? way_out_of_plane(scene) : "";
-          !reason.empty())
-        document.refuse(
-            "head", "motion",
-            fmt::format("{} \"free\", but {}, which drives the head out of the plane of motion, and in three "
-                        "dimensions motions are planar so far; set it to \"fixed\" or \"prescribed\" (the "
-                        "verb resistance moves the body anyway).",
-                        has(document, "head", "motion") ? "is" : "is by default", reason));
       if (scene.numerics.mirror_meshes)
         document.refuse("numerics", "mirror_meshes", "is for two dimensions; remove it.");
     }
@@ -346,7 +342,7 @@ namespace swimtwin
   {
     if (has(document, "field", "program"))
     {
-      for (const char *key : {"waveform", "bx_T", "by_T", "frequency_Hz"})
+      for (const char *key : {"waveform", "bx_T", "by_T", "bz_T", "bz_phase_rad", "frequency_Hz"})
         refuse_entry(document, "field", key,
                      "does not go with a program, which gives the whole field; remove one of both.");
       return need_entry(
@@ -357,13 +353,17 @@ namespace swimtwin
       refuse_entry(document, "field", key, "goes with a program only; remove it, or add program = \"file.csv\".");
     for (const char *key : {"bx_T", "by_T"})
       need_entry(document, "field", key, "give both components of the field, in T");
+    if (!has(document, "field", "bz_T"))
+      refuse_entry(document, "field", "bz_phase_rad",
+                   "is the phase of bz_T, which is missing; add it, or remove this.");
 
     const toml::node *waveform = document.find("field.waveform");
     const std::string word     = waveform == nullptr ? "sinusoidal" : waveform->value_or<std::string>("");
     if (word == to_string(FieldProgram::Waveform::sinusoidal))
       need_entry(document, "field", "frequency_Hz", "a sinusoidal field needs it, in Hz");
     else if (word == to_string(FieldProgram::Waveform::constant))
-      refuse_entry(document, "field", "frequency_Hz", "does not belong to a constant field; remove it.");
+      for (const char *key : {"frequency_Hz", "bz_phase_rad"})
+        refuse_entry(document, "field", key, "does not belong to a constant field; remove it.");
     else
       document.refuse("field", "waveform",
                       "cannot be chosen here; use \"sinusoidal\" or \"constant\", give a program, or "

@@ -338,12 +338,18 @@ namespace swimtwin
     return finite;
   }
 
-  double LinearSystem::response_to_unit_load(const PetscInt unknown)
+  double LinearSystem::response_to_load(const std::vector<std::pair<PetscInt, double>> &entries)
   {
     std::vector<double> load(size_, 0.), response(size_, 0.);
-    if (first_row_ <= unknown && unknown < last_row_)
-      load[unknown] = 1.;
+    for (const auto &[unknown, value] : entries)
+      if (first_row_ <= unknown && unknown < last_row_)
+        load[unknown] = value;
     set_right_hand_side(load);
-    return solve(response) ? response[unknown] : std::numeric_limits<double>::quiet_NaN();
+    if (!solve(response))
+      return std::numeric_limits<double>::quiet_NaN();
+    double sum = 0.;
+    for (const auto &[unknown, value] : entries)
+      sum += value * response[unknown];
+    return sum;
   }
 } // namespace swimtwin

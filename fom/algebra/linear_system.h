@@ -4,6 +4,7 @@
 #include <petscksp.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace swimtwin
@@ -58,9 +59,9 @@ namespace swimtwin
     /// it is, without iterations, and replace them by their solutions. Collective.
     bool solve_together(std::vector<std::vector<double>> &columns);
 
-    /// Response of an unknown to a unit load on it alone; not a number if it could not be solved for. Replaces the
-    /// right-hand side. Collective.
-    double response_to_unit_load(PetscInt unknown);
+    /// Response of unknowns to a load on them alone, each times its load: f^T A^-1 f; not a number if it could not be
+    /// solved for. Replaces the right-hand side. Collective.
+    double response_to_load(const std::vector<std::pair<PetscInt, double>> &load);
 
     const LinearSolverCounts &counts() const { return counts_; }
     void                      set_counts(const LinearSolverCounts &counts) { counts_ = counts; }

@@ -63,7 +63,7 @@ namespace swimtwin
       result.pose.center[c] = head.center_m[c] + given.amplitude_m[c] * std::sin(phase);
       result.velocity[c]    = given.amplitude_m[c] * rate * std::cos(phase);
     }
-    result.pose.angle                   = head.angle_rad + given.angle_rad * std::sin(phase);
+    result.pose.set_attitude(Attitude<dim>::about_z(head.angle_rad + given.angle_rad * std::sin(phase)));
     result.omega[rotation_about_z<dim>] = given.angle_rad * rate * std::cos(phase); // about z
     return result;
   }

@@ -5,7 +5,7 @@
 
 namespace swimtwin
 {
-  /// Where a prescribed head is at a time, and how fast (velocity, and angular velocity as a rate of `angle`).
+  /// Where a prescribed head is at a time, and how fast; it turns about z.
   template <int dim>
   struct GivenPose
   {

@@ -25,30 +25,46 @@ namespace swimtwin
                   swimmer.pose_at_rest(), scene.numerics, communicator);
     }
 
-    /// Made by halves in any case but around and within surfaces that are read; that it is its own image counts only
-    /// where half of it is solved.
-    FluidMesh<3> make_mesh(const Swimmer<3> &swimmer, const Configuration<3> &configuration, const bool by_halves,
-                           const MPI_Comm communicator)
-    {
-      const Domain  &domain = *swimmer.scene().domain;
-      const Point<3> center(domain.center_m[0], domain.center_m[1], 0.);
-      const auto moved = [&] { return configuration.pose.to_laboratory(swimmer.pose_at_rest().to_head_frame(center)); };
-      const auto make  = swimmer.scene().has_surfaces() ? make_whole_fluid_mesh
-                                                        : static_cast<decltype(&make_whole_fluid_mesh)>(make_fluid_mesh);
-      FluidMesh<3> mesh = make(domain, swimmer.body(), swimmer.surface(configuration),
-                               domain.moves_with_swimmer ? moved() : center, swimmer.scene().numerics, communicator);
-      if (!by_halves)
-        mesh.image_of_vertex.clear();
-      return mesh;
-    }
-
     template <int dim>
     bool is_at_rest(const Swimmer<dim> &swimmer, const Configuration<dim> &configuration)
     {
-      const auto rest = swimmer.pose_at_rest();
-      return configuration.pose.center == rest.center && configuration.pose.angle == rest.angle &&
+      return configuration.pose == swimmer.pose_at_rest() &&
              std::all_of(configuration.shape.begin(), configuration.shape.end(),
                          [](const auto &d) { return d.norm_square() == 0.; });
+    }
+
+    /// Where no mirror image is known. A domain that moves along is meshed where it rests, and turned with the head.
+    FluidMesh<3> make_whole_mesh(const Swimmer<3> &swimmer, Configuration<3> configuration, const MPI_Comm communicator)
+    {
+      const Domain      &domain = *swimmer.scene().domain;
+      const RigidPose<3> pose = configuration.pose, rest = swimmer.pose_at_rest();
+      if (domain.moves_with_swimmer)
+        configuration.pose = rest;
+      FluidMesh<3> fluid =
+          make_whole_fluid_mesh(domain, swimmer.body(), swimmer.surface(configuration),
+                                {domain.center_m[0], domain.center_m[1], 0.}, swimmer.scene().numerics, communicator);
+      if (domain.moves_with_swimmer)
+        for (auto &x : fluid.mesh.nodes)
+          x = pose.to_laboratory(rest.to_head_frame(x));
+      return fluid;
+    }
+
+    /// At rest made by halves in any case but around and within surfaces that are read; that it is its own image counts
+    /// only where half of it is solved.
+    FluidMesh<3> make_mesh(const Swimmer<3> &swimmer, const Configuration<3> &configuration, const bool by_halves,
+                           const MPI_Comm communicator)
+    {
+      if (swimmer.scene().has_surfaces() || (!by_halves && !is_at_rest(swimmer, configuration)))
+        return make_whole_mesh(swimmer, configuration, communicator);
+      const Domain  &domain = *swimmer.scene().domain;
+      const Point<3> center(domain.center_m[0], domain.center_m[1], 0.);
+      const auto moved = [&] { return configuration.pose.to_laboratory(swimmer.pose_at_rest().to_head_frame(center)); };
+      FluidMesh<3> mesh =
+          make_fluid_mesh(domain, swimmer.body(), swimmer.surface(configuration),
+                          domain.moves_with_swimmer ? moved() : center, swimmer.scene().numerics, communicator);
+      if (!by_halves)
+        mesh.image_of_vertex.clear();
+      return mesh;
     }
 
     /// Of a body in motion, whose surface is meshed already.

@@ -6,7 +6,7 @@
 
 namespace swimtwin
 {
-  /// Mesh the fluid around a configuration; where half of the scene is solved, and always in space, the upper half,
+  /// Mesh the fluid around a configuration; where half of the scene is solved, and in space at rest, the upper half,
   /// reflected. Collective. At rest, the scene's settings are to blame for a mesh that fails: throws InputError that
   /// names the mesh size that does it. Else throws ComputationError, InvertedElement if an element is inside out.
   template <int dim>

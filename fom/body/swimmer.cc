@@ -11,10 +11,42 @@ namespace swimtwin
 {
   using namespace dealii;
 
-  MagneticTorque magnetic_torque(const double moment_A_m2, const double angle_rad, const std::array<double, 3> &field_T)
+  template <int dim>
+  MagneticTorque<dim> magnetic_torque(const double moment_A_m2, const Attitude<dim> &attitude,
+                                      const std::array<double, 3> &field_T)
   {
-    const double c = std::cos(angle_rad), s = std::sin(angle_rad);
-    return {moment_A_m2 * (c * field_T[1] - s * field_T[0]), -moment_A_m2 * (s * field_T[1] + c * field_T[0])};
+    const Tensor<2, dim> R = attitude.rotation();
+    MagneticTorque<dim>  result;
+    if constexpr (dim == 2)
+    {
+      const double c = R[0][0], s = R[1][0];
+      result.torque[0]        = moment_A_m2 * (c * field_T[1] - s * field_T[0]);
+      result.derivative[0][0] = -moment_A_m2 * (s * field_T[1] + c * field_T[0]);
+    }
+    else
+    {
+      const Tensor<1, 3> m({moment_A_m2 * R[0][0], moment_A_m2 * R[1][0], moment_A_m2 * R[2][0]}),
+          B({field_T[0], field_T[1], field_T[2]});
+      result.torque = torque_of_force<3>(m, B);
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+          result.derivative[i][j] = .5 * (m[i] * B[j] + m[j] * B[i]) - (i == j ? m * B : 0.);
+    }
+    return result;
+  }
+
+  template <int dim>
+  AngularVelocity<dim> turning_axis(const AngularVelocity<dim> &torque, const Attitude<dim> &attitude)
+  {
+    AngularVelocity<dim> axis;
+    if constexpr (dim == 2)
+      axis[0] = 1.;
+    else if (const double size = torque.norm(); size > 0.)
+      axis = torque / size;
+    else
+      for (int i = 0; i < 3; ++i)
+        axis[i] = attitude.rotation()[i][2]; // where half of the scene is solved, the only one
+    return axis;
   }
 
   template <int dim>
@@ -73,7 +105,7 @@ namespace swimtwin
     RigidPose<dim> pose;
     for (int c = 0; c < 2; ++c)
       pose.center[c] = scene_.head.center_m[c];
-    pose.angle = scene_.head.angle_rad;
+    pose.set_attitude(Attitude<dim>::about_z(scene_.head.angle_rad));
     return pose;
   }
 
@@ -166,7 +198,24 @@ namespace swimtwin
   template <int dim>
   BodyVelocities<dim> Swimmer<dim>::velocities(const Configuration<dim> &configuration, const Rates<dim> &rates) const
   {
-    return {rates.velocity, rates.omega, has_tail() ? tail_velocities(configuration, rates) : NodalField<dim>()};
+    return {rates.velocity, rates.omega, relative_inertia(configuration.pose) * rates.omega,
+            has_tail() ? tail_velocities(configuration, rates) : NodalField<dim>()};
+  }
+
+  template <int dim>
+  Tensor<2, n_rotations<dim>> Swimmer<dim>::relative_inertia(const Attitude<dim> &attitude) const
+  {
+    Tensor<2, n_rotations<dim>> inertia = unit_symmetric_tensor<n_rotations<dim>>();
+    if constexpr (dim == 3)
+    {
+      const auto           moments = scene_.head.second_moments();
+      const Tensor<2, dim> R       = attitude.rotation();
+      for (int i = 0; i < dim; ++i)
+        for (int j = 0; j < dim; ++j)
+          inertia[i][j] = moments[i][j] / scene_.head.second_moment(dim);
+      inertia = R * inertia * transpose(R);
+    }
+    return inertia;
   }
 
   template <int dim>
@@ -174,7 +223,7 @@ namespace swimtwin
   {
     double energy = 0.;
     if (inertia_.head)
-      energy += .5 * head_mass() * v.head.norm_square() + .5 * head_moment_of_inertia() * v.omega.norm_square();
+      energy += .5 * head_mass() * v.head.norm_square() + .5 * head_moment_of_inertia() * (v.spin * v.omega);
     if (inertia_.tail)
       energy += .5 * scene_.tail->density_kg_m3 * elasticity_->norm_square(v.tail);
     return energy;
@@ -254,23 +303,33 @@ namespace swimtwin
   }
 
   template <int dim>
-  MagneticTorque Swimmer<dim>::torque_on_head(const double angle_rad, const double time_s) const
+  MagneticTorque<dim> Swimmer<dim>::torque_on_head(const Attitude<dim> &attitude, const double time_s) const
   {
-    return magnetic_torque(scene_.head.magnetization_A_m * scene_.head.volume(dim), angle_rad, scene_.field(time_s));
+    return magnetic_torque(scene_.head.magnetization_A_m * scene_.head.volume(dim), attitude, scene_.field(time_s));
   }
 
   template <int dim>
   double Swimmer<dim>::tail_angle(const Configuration<dim> &configuration) const
   {
     if (!has_tail())
-      return configuration.pose.angle;
+      return configuration.pose.heading();
     const auto &[before, middle, tip] = tail().axis_at_tip;
     const auto position = [&](const unsigned int node) { return tail().mesh.nodes[node] + configuration.shape[node]; };
     // Derivative at its end of the quadratic through the last edge of the axis, relative to the head.
     const Tensor<1, dim> tangent =
         3. * position(tip) - 4. * Tensor<1, dim>(position(middle)) + Tensor<1, dim>(position(before));
-    return configuration.pose.angle + std::atan2(tangent[1], tangent[0]);
+    if constexpr (dim == 3)
+    {
+      const Tensor<1, dim> direction = configuration.pose.rotation() * tangent;
+      return std::atan2(direction[1], direction[0]);
+    }
+    return configuration.pose.heading() + std::atan2(tangent[1], tangent[0]);
   }
+
+  template MagneticTorque<2>  magnetic_torque<2>(double, const Attitude<2> &, const std::array<double, 3> &);
+  template MagneticTorque<3>  magnetic_torque<3>(double, const Attitude<3> &, const std::array<double, 3> &);
+  template AngularVelocity<2> turning_axis<2>(const AngularVelocity<2> &, const Attitude<2> &);
+  template AngularVelocity<3> turning_axis<3>(const AngularVelocity<3> &, const Attitude<3> &);
 
   template class Swimmer<2>;
   template class Swimmer<3>;

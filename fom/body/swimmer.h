@@ -33,17 +33,28 @@ namespace swimtwin
   {
     dealii::Tensor<1, dim> head; ///< of its centre, m/s
     AngularVelocity<dim>   omega;
-    NodalField<dim>        tail; ///< at its nodes
+    AngularVelocity<dim>
+                    spin; ///< angular momentum of the head over its moment of inertia; omega of a sphere, and in 2D
+    NodalField<dim> tail; ///< at its nodes
   };
 
-  /// Torque (N m; N in 2D, per unit depth) of the field on the head, and its derivative by the angle.
+  /// Torque (N m; N in 2D, per unit depth) of the field on the head, and the symmetric part of its derivative by the
+  /// rotation vector: the rest is half of a cross product with the torque (docs/equations.md, section 3).
+  template <int dim>
   struct MagneticTorque
   {
-    double torque, derivative;
+    AngularVelocity<dim>                        torque;
+    dealii::Tensor<2, n_rotations<dim>, double> derivative;
   };
 
-  /// moment x (cos(angle) by - sin(angle) bx): the moment points along the body's +x.
-  MagneticTorque magnetic_torque(double moment_A_m2, double angle_rad, const std::array<double, 3> &field_T);
+  /// m x B, where the moment m points along the body's +x; both in the laboratory.
+  template <int dim>
+  MagneticTorque<dim> magnetic_torque(double moment_A_m2, const Attitude<dim> &attitude,
+                                      const std::array<double, 3> &field_T);
+
+  /// The axis about which a torque turns: its own, and where there is none any one across the body's +x.
+  template <int dim>
+  AngularVelocity<dim> turning_axis(const AngularVelocity<dim> &torque, const Attitude<dim> &attitude);
 
   /// Whether an implicit step is too long for an unstable equilibrium. With the torque's derivative by the angular
   /// velocity, a = slope_weight dT/dangle, the head resists by zeta - a: that grows soft where the equilibrium's growth
@@ -90,10 +101,13 @@ namespace swimtwin
     double kinetic_energy(const BodyVelocities<dim> &velocities) const;
     /// Force (N, per unit depth in 2D) that gives the tail's nodes an acceleration (m/s^2); empty without its inertia.
     NodalField<dim> inertial_force_on_tail(const NodalField<dim> &acceleration) const;
-    /// Mass (kg, per unit depth in 2D) of head and its moment of inertia (kg m^2) about its centre.
+    /// Mass (kg, per unit depth in 2D) of head and its moment of inertia (kg m^2) about its centre, in space about its
+    /// z.
     double head_mass() const { return scene_.head.density_kg_m3 * scene_.head.volume(dim); }
     double head_moment_of_inertia() const { return scene_.head.density_kg_m3 * scene_.head.second_moment(dim); }
-    const InertiaTerms &inertia() const { return inertia_; }
+    /// Tensor of inertia over this moment, in the laboratory: the spin per angular velocity.
+    dealii::Tensor<2, n_rotations<dim>, double> relative_inertia(const Attitude<dim> &attitude) const;
+    const InertiaTerms                         &inertia() const { return inertia_; }
 
     /// Distance between two configurations relative to the body: root mean square over the tail, or the head's.
     double relative_change(const Configuration<dim> &a, const Configuration<dim> &b) const;
@@ -104,7 +118,7 @@ namespace swimtwin
     dealii::Tensor<1, dim> magnetic_load_on_tail_node(unsigned int a, double time_s) const;
     /// Force of gravity less buoyancy on the head, and the field's torque on it.
     dealii::Tensor<1, dim> force_on_head(double time_s) const;
-    MagneticTorque         torque_on_head(double angle_rad, double time_s) const;
+    MagneticTorque<dim>    torque_on_head(const Attitude<dim> &attitude, double time_s) const;
 
     /// From the head's centre to the body's middle, the mean position of its surface (m, head frame): linear in the
     /// shape. The middle is what time stepping advances (docs/equations.md, section 6); of a head that is not free
@@ -112,7 +126,7 @@ namespace swimtwin
     dealii::Tensor<1, dim> arm_to_middle(const NodalField<dim> &shape) const;
     dealii::Tensor<1, dim> rate_of_arm(const NodalField<dim> &shape_rate) const; ///< m/s
 
-    /// Angle (rad, from +x, not unwrapped) of the tail's axis at its tip.
+    /// Angle (rad, from +x, not unwrapped) of the tail's axis at its tip; in space in the plane of x and y.
     double tail_angle(const Configuration<dim> &configuration) const;
 
     const Scene &scene() const { return scene_; }

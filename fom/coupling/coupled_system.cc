@@ -38,7 +38,7 @@ namespace swimtwin
     }
     if (solves_half(swimmer.scene()))
       describe_mirror();
-    else if (dim == 3 && swimmer.scene().has_surfaces()) // whose meshes are no mirror images, though they nearly are
+    else if (moves_in_plane(swimmer.scene()))
       map_.keep_head_to(motions_in_plane<dim>);
     std::vector<unsigned int> owner;
     for (unsigned int row = 0; row < n_fluid_rows_; ++row)
@@ -81,7 +81,12 @@ namespace swimtwin
         }
     }
     for (unsigned int i = 0; rank_ + 1 == n_ranks_ && i < map_.n_head_unknowns(); ++i)
-      head_entries_.push_back(condensation_.add_entry(map_.first_head_unknown() + i));
+    {
+      auto &row = head_entries_.emplace_back(map_.n_head_unknowns(), 0);
+      for (unsigned int j = 0; j < map_.n_head_unknowns(); ++j)
+        if (i == j || (map_.head_component(i) >= dim && map_.head_component(j) >= dim))
+          row[j] = condensation_.add_entry(map_.first_head_unknown() + i, map_.first_head_unknown() + j);
+    }
     condensation_.lay_out(system_);
   }
 
@@ -201,9 +206,28 @@ namespace swimtwin
   template <int dim>
   bool CoupledSystem<dim>::field_outruns_step()
   {
-    return torque_by_rate_ > 0. && rotation() &&
-           is_outrun(torque_by_rate_ / (map_.length_scale() * map_.length_scale()),
-                     system_.response_to_unit_load(*rotation()));
+    // Along the axis about which the field turns the head, as far as it may.
+    std::vector<std::pair<PetscInt, double>> load;
+    double                                   torque_by_rate = 0.;
+    for (unsigned int i = 0; i < map_.n_head_unknowns(); ++i)
+      if (const int k = map_.head_component(i) - dim; k >= 0)
+      {
+        load.push_back({map_.first_head_unknown() + i, turning_axis_[k]});
+        for (int l = 0; l < n_rotations<dim>; ++l)
+          if (map_.head_unknown(dim + l))
+            torque_by_rate += turning_axis_[k] * torque_by_rate_[k][l] * turning_axis_[l];
+      }
+    return torque_by_rate > 0. &&
+           is_outrun(torque_by_rate / (map_.length_scale() * map_.length_scale()), system_.response_to_load(load));
+  }
+
+  template <int dim>
+  void CoupledSystem<dim>::add_to_rotations(const Tensor<2, n_rotations<dim>> &block, const double divisor)
+  {
+    for (unsigned int i = 0; i < map_.n_head_unknowns(); ++i)
+      for (unsigned int j = 0; j < map_.n_head_unknowns(); ++j)
+        if (const int k = map_.head_component(i) - dim, l = map_.head_component(j) - dim; k >= 0 && l >= 0)
+          condensation_.add_to_entry(head_entries_[i][j], block[k][l] / divisor);
   }
 
   template <int dim>
@@ -304,8 +328,9 @@ namespace swimtwin
   template <int dim>
   void CoupledSystem<dim>::assemble_head(const LinearizationPoint<dim> &point)
   {
-    const auto [torque, derivative] = swimmer_.torque_on_head(point.configuration.pose.angle, point.time_s);
+    const auto [torque, derivative] = swimmer_.torque_on_head(point.configuration.pose, point.time_s);
     torque_by_rate_                 = derivative * point.slope_weight;
+    turning_axis_                   = turning_axis<dim>(torque, point.configuration.pose);
     if (rank_ + 1 != n_ranks_)
       return;
     const double         length = map_.length_scale();
@@ -314,11 +339,11 @@ namespace swimtwin
     for (int c = 0; c < dim; ++c)
       if (const auto unknown = map_.head_unknown(c))
         rhs[*unknown] += force[c];
-    if (!rotation())
-      return;
-    rhs[*rotation()] += (torque - torque_by_rate_ * point.rates.omega[rotation_about_z<dim>]) / length;
-    condensation_.add_to_entry(head_entries_[*rotation() - map_.first_head_unknown()],
-                               -torque_by_rate_ / (length * length));
+    const AngularVelocity<dim> known_torque = torque - torque_by_rate_ * point.rates.omega;
+    for (int k = 0; k < n_rotations<dim>; ++k)
+      if (const auto unknown = map_.head_unknown(dim + k))
+        rhs[*unknown] += known_torque[k] / length;
+    add_to_rotations(-torque_by_rate_, length * length);
   }
 
   template <int dim>
@@ -326,6 +351,7 @@ namespace swimtwin
   {
     if (rank_ + 1 != n_ranks_)
       return;
+    // Of the angular momentum: the spin is the relative inertia, as it is turned now, times omega.
     const double length = map_.length_scale(), mass = swimmer_.head_mass() / point.slope_weight,
                  moment      = swimmer_.head_moment_of_inertia() / (point.slope_weight * length * length);
     const auto        &known = *point.known_velocities;
@@ -334,9 +360,11 @@ namespace swimtwin
     for (unsigned int i = 0; i < map_.n_head_unknowns(); ++i)
     {
       const int k = map_.head_component(i);
-      condensation_.add_to_entry(head_entries_[i], k < dim ? mass : moment);
-      rhs[first + i] += k < dim ? mass * known.head[k] : moment * known.omega[k - dim] * length;
+      if (k < dim)
+        condensation_.add_to_entry(head_entries_[i][i], mass);
+      rhs[first + i] += k < dim ? mass * known.head[k] : moment * known.spin[k - dim] * length;
     }
+    add_to_rotations(moment * swimmer_.relative_inertia(point.configuration.pose), 1.);
   }
 
   template <int dim>

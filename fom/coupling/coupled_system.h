@@ -80,9 +80,9 @@ namespace swimtwin
     void           assemble_tail_inertia(const LinearizationPoint<dim> &point);
     void           assemble_head(const LinearizationPoint<dim> &point);
     void           assemble_head_inertia(const LinearizationPoint<dim> &point);
-    /// The head's unknown rotation about z, the one that the field acts on; none if it does not turn.
-    std::optional<unsigned int> rotation() const { return map_.head_unknown(dim + rotation_about_z<dim>); }
-    unsigned int                tail_row(const unsigned int node, const unsigned int component) const
+    /// Add a block over a number to the matrix, in the rows and columns of the head's rotations.
+    void         add_to_rotations(const dealii::Tensor<2, n_rotations<dim>> &block, double divisor);
+    unsigned int tail_row(const unsigned int node, const unsigned int component) const
     {
       return n_fluid_rows_ + tail_numbering_->vector_index(node, component);
     }
@@ -97,19 +97,20 @@ namespace swimtwin
       return tail_numbering_ ? (swimmer_.inertia().tail ? 2 : 1) * tail_numbering_->size() : 0;
     }
 
-    const Swimmer<dim>                 &swimmer_;
-    FluidDomain<dim>                   *fluid_;
-    LinearSystem                       &system_;
-    unsigned int                        n_fluid_rows_, rank_, n_ranks_;
-    std::unique_ptr<NodeNumbering<dim>> tail_numbering_;
-    MirrorPairs<dim>                    tail_pairs_; ///< when half of the scene is solved
-    MotionMap<dim>                      map_;
-    Condensation<dim>                   condensation_;
-    std::vector<unsigned int>           tail_cells_;          ///< owned, no images
-    unsigned int                        first_tail_cell_ = 0; ///< its number in the condensation
-    unsigned int                        first_mass_cell_ = 0;
-    std::vector<unsigned int>           head_entries_;        ///< of its unknowns, on the rank that has them
-    double                              torque_by_rate_ = 0.; ///< of the field, by the head's angular velocity
-    FlowChange                          flow_change_;
+    const Swimmer<dim>                    &swimmer_;
+    FluidDomain<dim>                      *fluid_;
+    LinearSystem                          &system_;
+    unsigned int                           n_fluid_rows_, rank_, n_ranks_;
+    std::unique_ptr<NodeNumbering<dim>>    tail_numbering_;
+    MirrorPairs<dim>                       tail_pairs_; ///< when half of the scene is solved
+    MotionMap<dim>                         map_;
+    Condensation<dim>                      condensation_;
+    std::vector<unsigned int>              tail_cells_;          ///< owned, no images
+    unsigned int                           first_tail_cell_ = 0; ///< its number in the condensation
+    unsigned int                           first_mass_cell_ = 0;
+    std::vector<std::vector<unsigned int>> head_entries_;   ///< of pairs of its unknowns, on the rank that has them
+    dealii::Tensor<2, n_rotations<dim>>    torque_by_rate_; ///< of the field, by the head's angular velocity
+    AngularVelocity<dim>                   turning_axis_;   ///< of the field
+    FlowChange                             flow_change_;
   };
 } // namespace swimtwin

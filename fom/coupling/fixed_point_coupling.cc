@@ -43,12 +43,14 @@ namespace swimtwin
 
     // The tail's internal forces do no work in a rigid motion; its dead loads do.
     Tensor<1, n_rigid<dim>> load;
-    const auto [torque, derivative]    = swimmer_.torque_on_head(configuration.pose.angle, step.time_s);
-    const Tensor<1, dim> force_on_head = swimmer_.force_on_head(step.time_s);
-    const auto           x             = swimmer_.tail_positions(configuration);
+    const auto              magnetic      = swimmer_.torque_on_head(configuration.pose, step.time_s);
+    const double            derivative    = magnetic.derivative[rotation_about_z<dim>][rotation_about_z<dim>];
+    const Tensor<1, dim>    force_on_head = swimmer_.force_on_head(step.time_s);
+    const auto              x             = swimmer_.tail_positions(configuration);
     for (int c = 0; c < dim; ++c)
       load[c] = force_on_head[c];
-    load[dim] = torque - derivative * step.slope_weight * rates.omega[rotation_about_z<dim>];
+    load[dim] =
+        magnetic.torque[rotation_about_z<dim>] - derivative * step.slope_weight * rates.omega[rotation_about_z<dim>];
     for (unsigned int a = 0; a < x.size(); ++a)
     {
       const Tensor<1, dim> f = swimmer_.load_on_tail_node(a, step.time_s), r = x[a] - configuration.pose.center;
@@ -121,8 +123,9 @@ namespace swimtwin
       std::vector<double> values = flow_->fluid_values(unknowns);
 
       Configuration<dim> image = configuration;
-      image.pose.angle         = step.known.pose.angle + step.slope_weight * rates.omega[rotation_about_z<dim>];
-      image.pose.center        = head_center(swimmer_, step, image, rates);
+      image.pose.set_attitude(step.known.pose);
+      image.pose.turn(step.slope_weight * rates.omega);
+      image.pose.center = head_center(swimmer_, step, image, rates);
       {
         const ScopedCpuTime tail_time(counts_.tail_cpu_s);
         if (!tail_.solve(loads_on_tail(configuration, step.time_s, values), tail_tolerance_m, image.shape))

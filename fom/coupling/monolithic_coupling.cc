@@ -10,6 +10,20 @@ namespace swimtwin
 {
   using namespace dealii;
 
+  namespace
+  {
+    /// An angular velocity that belongs to the attitude `solved`, at the end of a step from the attitude `known`: as
+    /// far as that turns the body, omega goes along, and exp(c omega) turns nothing that is along omega.
+    AngularVelocity<2> with_body(const AngularVelocity<2> &omega, const Attitude<2> &, const Attitude<2> &)
+    {
+      return omega;
+    }
+    AngularVelocity<3> with_body(const AngularVelocity<3> &omega, const Attitude<3> &known, const Attitude<3> &solved)
+    {
+      return known.rotation() * (transpose(solved.rotation()) * omega);
+    }
+  } // namespace
+
   template <int dim>
   MonolithicCoupling<dim>::MonolithicCoupling(const Swimmer<dim> &swimmer, const MPI_Comm communicator)
       : swimmer_(swimmer), numerics_(swimmer.scene().numerics), communicator_(communicator),
@@ -84,9 +98,10 @@ namespace swimtwin
     // turn with the body: where no wall is near, a correction of the angle then leaves nothing to iterate. The tail's
     // leave out omega x R (X + d).
     const Tensor<2, dim> Rt = transpose(configuration.pose.rotation());
-    rates.omega             = velocities.head_omega;
-    next.pose.angle         = known.pose.angle + slope * rates.omega[rotation_about_z<dim>];
-    rates.velocity          = next.pose.rotation() * (Rt * velocities.head_velocity);
+    rates.omega             = with_body(velocities.head_omega, known.pose, configuration.pose);
+    next.pose.set_attitude(known.pose);
+    next.pose.turn(slope * rates.omega);
+    rates.velocity = next.pose.rotation() * (Rt * velocities.head_velocity);
     if (!swimmer_.has_tail())
     {
       next.pose.center = head_center(swimmer_, step, next, rates);

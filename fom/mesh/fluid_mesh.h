@@ -44,7 +44,7 @@ namespace swimtwin
   FluidMesh<3> make_fluid_mesh(const Domain &domain, const BodyMesh<3> &body, const std::vector<dealii::Point<3>> &x,
                                const dealii::Point<3> &center, const Numerics &numerics, MPI_Comm communicator);
 
-  /// The same where nothing is known of mirror images, meshed as a whole: walls or body are read from a surface.
+  /// The same where nothing is known of mirror images, meshed as a whole.
   FluidMesh<3> make_whole_fluid_mesh(const Domain &domain, const BodyMesh<3> &body,
                                      const std::vector<dealii::Point<3>> &x, const dealii::Point<3> &center,
                                      const Numerics &numerics, MPI_Comm communicator);

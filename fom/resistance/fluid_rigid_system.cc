@@ -28,7 +28,7 @@ namespace swimtwin
     map_.close(owner, head_is_free, communicator);
     fluid_.add_cells(condensation_);
     if (owns_head())
-      rotation_entry_ = condensation_.add_entry(*rotation());
+      rotation_entry_ = condensation_.add_entry(*rotation(), *rotation());
     condensation_.lay_out(solver_);
   }
 
@@ -85,7 +85,7 @@ namespace swimtwin
   {
     return torque_by_rate_ > 0. && map_.head_is_free() &&
            is_outrun(torque_by_rate_ / (map_.length_scale() * map_.length_scale()),
-                     solver_.response_to_unit_load(*rotation()));
+                     solver_.response_to_load({{static_cast<PetscInt>(*rotation()), 1.}}));
   }
 
   template <int dim>

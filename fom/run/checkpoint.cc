@@ -12,6 +12,7 @@
 #include <limits>
 #include <sstream>
 #include <type_traits>
+#include <utility>
 
 namespace swimtwin
 {
@@ -130,6 +131,21 @@ namespace swimtwin
       value = static_cast<Value>(number);
     }
 
+    /// The numbers of an attitude in a fixed order.
+    template <typename AttitudeType, typename Visitor>
+    void for_each_number_of(AttitudeType &attitude, const Visitor &visit)
+    {
+      if constexpr (std::is_base_of_v<Attitude<2>, std::remove_const_t<AttitudeType>>)
+        visit("angle", attitude.angle);
+      else
+      {
+        visit("qw", attitude.quaternion.w());
+        visit("qx", attitude.quaternion.x());
+        visit("qy", attitude.quaternion.y());
+        visit("qz", attitude.quaternion.z());
+      }
+    }
+
     /// Time, pose and rates of an instant in a fixed order.
     template <int dim>
     void write_instant(Hdf5Writer &file, const std::string &group, const Instant<dim> &instant)
@@ -138,7 +154,7 @@ namespace swimtwin
       std::vector<double> numbers              = {time};
       const auto          append = [&](const auto &v) { numbers.insert(numbers.end(), v.begin_raw(), v.end_raw()); };
       append(configuration.pose.center);
-      numbers.push_back(configuration.pose.angle);
+      for_each_number_of(configuration.pose, [&](const char *, const double value) { numbers.push_back(value); });
       append(rates.velocity);
       append(rates.omega);
       file.write_vector(group + "/numbers", numbers, number);
@@ -149,14 +165,14 @@ namespace swimtwin
     template <int dim>
     Instant<dim> read_instant(const Hdf5Reader &file, const std::string &group)
     {
-      const auto   numbers = read_numbers(file, group + "/numbers", 2 + 2 * dim + n_rotations<dim>);
+      const auto   numbers = read_numbers(file, group + "/numbers", (dim == 2 ? 2 : 5) + 2 * dim + n_rotations<dim>);
       Instant<dim> instant;
       int          next   = 0;
       const auto   number = [&] { return numbers.at(next++); };
       instant.time_s      = number();
       for (int c = 0; c < dim; ++c)
         instant.configuration.pose.center[c] = number();
-      instant.configuration.pose.angle = number();
+      for_each_number_of(instant.configuration.pose, [&](const char *, double &value) { value = number(); });
       for (int c = 0; c < dim; ++c)
         instant.rates.velocity[c] = number();
       for (int k = 0; k < n_rotations<dim>; ++k)
@@ -242,9 +258,12 @@ namespace swimtwin
       visit("time_step_before_s", model.time_step_before_s);
       visit("steps_since_remeshing", model.steps_since_remeshing);
       visit("remesh_is_due", model.remesh_is_due);
-      visit("x_at_meshing_m", model.pose_at_meshing.center[0]);
-      visit("y_at_meshing_m", model.pose_at_meshing.center[1]);
-      visit("angle_at_meshing_rad", model.pose_at_meshing.angle);
+      auto &pose = model.pose_at_meshing;
+      for (unsigned int c = 0; c < std::decay_t<decltype(pose.center)>::dimension; ++c)
+        visit(std::string(1, "xyz"[c]) + "_at_meshing_m", pose.center[c]);
+      for_each_number_of(pose, [&](const char *name, auto &&value) {
+        visit(std::string(name) + "_at_meshing", std::forward<decltype(value)>(value));
+      });
       visit("n_steps", model.counts.n_steps);
       visit("n_remeshes", model.counts.n_remeshes);
       visit("n_step_halvings", model.counts.n_step_halvings);

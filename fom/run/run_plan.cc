@@ -142,10 +142,13 @@ namespace swimtwin
 
     void plan_body(const Scene &scene, RunPlan &plan)
     {
+      const char *const velocities = scene.dimension == 3 && !moves_in_plane(scene) ? "six" : "three";
       if (!scene.tail)
-        plan.skipped.push_back({"elasticity", "the body has no tail: one rigid body with three velocities"});
+        plan.skipped.push_back(
+            {"elasticity", fmt::format("the body has no tail: one rigid body with {} velocities", velocities)});
       else if (scene.tail->is_rigid())
-        plan.skipped.push_back({"elasticity", "the tail is rigid: one body with three velocities"});
+        plan.skipped.push_back(
+            {"elasticity", fmt::format("the tail is rigid: one body with {} velocities", velocities)});
       else if (scene.tail->is_driven())
         plan.skipped.push_back({"elasticity", "the tail's shape is given at every instant"});
       else
@@ -172,7 +175,8 @@ namespace swimtwin
       else if (!scene.head.is_free())
         plan.skipped.push_back({"head's motion", "fixed; the force and torque that hold it are reported"});
       else
-        plan.solved.push_back({"head", "rigid, three velocities, eliminated on its surface by the motion map"});
+        plan.solved.push_back(
+            {"head", fmt::format("rigid, {} velocities, eliminated on its surface by the motion map", velocities)});
       const bool magnetic = scene.field.waveform() != FieldProgram::Waveform::none &&
                             (scene.head.magnetization_A_m != 0. || (scene.tail && scene.tail->magnetization_A_m != 0.));
       if (!magnetic)

@@ -30,10 +30,13 @@ namespace swimtwin
 
   private:
     bool is_snapshot(int grid_step) const;
+    /// What a plane has not.
+    void note_space(const FullOrderModel<dim> &model, TrajectoryRow &row) const;
 
-    const Scene                     &scene_;
-    Trajectory                       trajectory_;
-    std::vector<IntervalWork>        first_works_;
-    std::vector<std::vector<double>> shapes_; ///< time, pose (3), field (3), displacement (n), velocity (n)
+    const Scene              &scene_;
+    Trajectory                trajectory_;
+    std::vector<IntervalWork> first_works_;
+    /// Time, pose (x, y, angle), field (3), in space z and quaternion (w, x, y, z), displacement (n), velocity (n).
+    std::vector<std::vector<double>> shapes_;
   };
 } // namespace swimtwin

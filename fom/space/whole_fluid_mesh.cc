@@ -1,4 +1,4 @@
-// The fluid around a body in space where body or walls are read from a surface: meshed as a whole.
+// The fluid around a body in space of which no mirror image is known: meshed as a whole.
 #include <datasets/surface/closed_surface.h>
 #include <fom/geometry/reflection.h>
 #include <fom/mesh/fluid_mesh.h>

@@ -256,7 +256,7 @@ namespace swimtwin
     Rates<dim> rates = extrapolated_rates(now_, before, growth);
     take_given_rates(swimmer_, step, rates);
     Configuration<dim> configuration = step.known;
-    configuration.pose.angle += bdf.slope_weight * rates.omega[rotation_about_z<dim>];
+    configuration.pose.turn(bdf.slope_weight * rates.omega);
     for (unsigned int a = 0; a < configuration.shape.size(); ++a)
       configuration.shape[a] += bdf.slope_weight * rates.shape_rate[a];
     configuration.pose.center = head_center(swimmer_, step, configuration, rates);

@@ -14,20 +14,29 @@ namespace swimtwin
       explicit LoadSum(const Point<dim> &center) : center_(center) {}
       void add(const Point<dim> &x, const Tensor<1, dim> &f)
       {
-        const Tensor<1, dim> r = x - center_;
         force += f;
-        torque += r[0] * f[1] - r[1] * f[0];
+        torque += torque_of_force<dim>(x - center_, f);
       }
-      Tensor<1, dim> force;
-      double         torque = 0.;
+      Tensor<1, dim>       force;
+      AngularVelocity<dim> torque;
+
+      Load load() const
+      {
+        Load load;
+        for (int c = 0; c < dim; ++c)
+          load.force[c] = force[c];
+        for (int k = 0; k < n_rotations<dim>; ++k)
+          load.torque[axis_of_rotation<dim>(k)] = torque[k];
+        return load;
+      }
 
     private:
       Point<dim> center_;
     };
 
     template <int dim>
-    std::array<double, 3> load_of_fluid(const Swimmer<dim> &swimmer, const std::vector<double> &force_on_fluid,
-                                        const Configuration<dim> &configuration)
+    LoadSum<dim> sum_of_fluid(const Swimmer<dim> &swimmer, const std::vector<double> &force_on_fluid,
+                              const Configuration<dim> &configuration)
     {
       LoadSum<dim> sum(configuration.pose.center);
       const auto   x = swimmer.surface(configuration);
@@ -38,15 +47,15 @@ namespace swimtwin
           on_body[c] = -force_on_fluid[k * dim + c];
         sum.add(x[k], on_body);
       }
-      return {sum.force[0], sum.force[1], sum.torque};
+      return sum;
     }
 
     /// What must hold a fixed head, or drive one whose motion is given: loads and momentum of the whole body balance,
     /// and the tail's internal forces have no resultant.
     template <int dim>
-    std::array<double, 3> load_that_holds(const Swimmer<dim> &swimmer, const std::array<double, 3> &of_fluid,
-                                          const NodalField<dim>    &inertial_force,
-                                          const Configuration<dim> &configuration, const double time_s)
+    LoadSum<dim> sum_that_holds(const Swimmer<dim> &swimmer, const LoadSum<dim> &of_fluid,
+                                const NodalField<dim> &inertial_force, const Configuration<dim> &configuration,
+                                const double time_s)
     {
       LoadSum<dim> sum(configuration.pose.center);
       if (swimmer.has_tail())
@@ -57,17 +66,18 @@ namespace swimtwin
         for (unsigned int a = 0; a < inertial_force.size(); ++a)
           sum.add(x[a], inertial_force[a]);
       }
-      sum.force[0] -= of_fluid[0];
-      sum.force[1] -= of_fluid[1];
-      sum.torque -= of_fluid[2];
-      const auto head   = swimmer.force_on_head(time_s);
-      const auto torque = swimmer.torque_on_head(configuration.pose.angle, time_s).torque;
-      return {sum.force[0] - head[0], sum.force[1] - head[1], sum.torque - torque};
+      sum.force -= of_fluid.force;
+      sum.torque -= of_fluid.torque;
+      sum.force -= swimmer.force_on_head(time_s);
+      sum.torque -= swimmer.torque_on_head(configuration.pose, time_s).torque;
+      return sum;
     }
+
     /// Power of what gives a motion. Where the shape is given: all that the body gives to the fluid and to its own
     /// inertia, less what other loads give to it.
     template <int dim>
-    double power_of_drive(const Swimmer<dim> &swimmer, const PowerBalance &balance, const double body_growth,
+    double power_of_drive(const Swimmer<dim> &swimmer, const PowerBalance &balance,
+                          const std::optional<LoadSum<dim>> &holding, const double body_growth,
                           const Configuration<dim> &configuration, const Rates<dim> &rates)
     {
       const Scene &scene = swimmer.scene();
@@ -89,9 +99,9 @@ namespace swimtwin
       }
       if (!scene.head.is_driven())
         return 0.;
-      double power = balance.load_that_holds_head[2] * rates.omega[rotation_about_z<dim>];
+      double power = holding->torque * rates.omega;
       for (int c = 0; c < dim; ++c)
-        power += balance.load_that_holds_head[c] * rates.velocity[c];
+        power += holding->force[c] * rates.velocity[c];
       return power;
     }
   } // namespace
@@ -103,6 +113,7 @@ namespace swimtwin
                              const std::optional<BodyVelocities<dim>> &acceleration)
   {
     PowerBalance balance;
+    LoadSum<dim> of_fluid(configuration.pose.center);
     if (fluid)
     {
       const FluidReaction reaction = fluid->react(fluid_values);
@@ -114,11 +125,11 @@ namespace swimtwin
       for (unsigned int k = 0; k < swimmer.n_surface_nodes(); ++k)
         for (int c = 0; c < dim; ++c)
           balance.surface_force.push_back(reaction.force[fluid->surface_row(k, c)]);
-      balance.load_of_fluid = load_of_fluid(swimmer, balance.surface_force, configuration);
+      of_fluid              = sum_of_fluid(swimmer, balance.surface_force, configuration);
+      balance.load_of_fluid = of_fluid.load();
     }
-    balance.magnetic =
-        swimmer.torque_on_head(configuration.pose.angle, time_s).torque * rates.omega[rotation_about_z<dim>];
-    balance.gravity = swimmer.force_on_head(time_s) * rates.velocity;
+    balance.magnetic = swimmer.torque_on_head(configuration.pose, time_s).torque * rates.omega;
+    balance.gravity  = swimmer.force_on_head(time_s) * rates.velocity;
     if (swimmer.has_tail())
     {
       const auto w           = swimmer.tail_velocities(configuration, rates);
@@ -141,22 +152,21 @@ namespace swimtwin
         body_growth += inertial_force[a] * velocities.tail[a];
       if (swimmer.inertia().head)
         body_growth += swimmer.head_mass() * (acceleration->head * velocities.head) +
-                       swimmer.head_moment_of_inertia() * (acceleration->omega * velocities.omega);
+                       swimmer.head_moment_of_inertia() * (acceleration->spin * velocities.omega);
       balance.kinetic_growth += body_growth;
     }
+    std::optional<LoadSum<dim>> holding;
     if (!swimmer.scene().head.is_free())
     {
-      balance.load_that_holds_head =
-          load_that_holds(swimmer, balance.load_of_fluid, inertial_force, configuration, time_s);
+      holding = sum_that_holds(swimmer, of_fluid, inertial_force, configuration, time_s);
       if (acceleration && swimmer.inertia().head)
       {
-        for (int c = 0; c < dim; ++c)
-          balance.load_that_holds_head[c] += swimmer.head_mass() * acceleration->head[c];
-        balance.load_that_holds_head[2] +=
-            swimmer.head_moment_of_inertia() * acceleration->omega[rotation_about_z<dim>];
+        holding->force += swimmer.head_mass() * acceleration->head;
+        holding->torque += swimmer.head_moment_of_inertia() * acceleration->spin;
       }
+      balance.load_that_holds_head = holding->load();
     }
-    balance.drive = power_of_drive(swimmer, balance, body_growth, configuration, rates);
+    balance.drive = power_of_drive(swimmer, balance, holding, body_growth, configuration, rates);
     return balance;
   }
 

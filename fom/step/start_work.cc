@@ -16,8 +16,8 @@ namespace swimtwin
       const Swimmer<dim> &swimmer;
       const Instant<dim> &before, &now;
 
-      double         turn() const { return now.configuration.pose.angle - before.configuration.pose.angle; }
-      Tensor<1, dim> of_head() const { return now.configuration.pose.center - before.configuration.pose.center; }
+      AngularVelocity<dim> turn() const { return now.configuration.pose.turn_from(before.configuration.pose); }
+      Tensor<1, dim>       of_head() const { return now.configuration.pose.center - before.configuration.pose.center; }
       std::vector<Tensor<1, dim>> of_tail() const
       {
         return difference(swimmer.tail_positions(now.configuration), swimmer.tail_positions(before.configuration));
@@ -47,7 +47,7 @@ namespace swimtwin
     LoadWork work_of_loads(const Way<dim> &way, const Instant<dim> &at)
     {
       const Swimmer<dim> &swimmer = way.swimmer;
-      LoadWork            work{swimmer.torque_on_head(at.configuration.pose.angle, at.time_s).torque * way.turn(),
+      LoadWork            work{swimmer.torque_on_head(at.configuration.pose, at.time_s).torque * way.turn(),
                     swimmer.force_on_head(at.time_s) * way.of_head()};
       const auto          tail = way.of_tail();
       for (unsigned int a = 0; a < tail.size(); ++a)
@@ -93,7 +93,7 @@ namespace swimtwin
       const double     largest =
           scene.head.magnetization_A_m * scene.head.volume(dim) * std::hypot(field[0], field[1], field[2]);
       return scene.head.is_free() &&
-             std::abs(swimmer.torque_on_head(scene.head.angle_rad, 0.).torque) > round_off * std::abs(largest);
+             swimmer.torque_on_head(swimmer.pose_at_rest(), 0.).torque.norm() > round_off * std::abs(largest);
     }
   } // namespace
 

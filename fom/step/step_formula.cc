@@ -16,7 +16,8 @@ namespace swimtwin
     };
     Configuration<dim> known;
     known.pose.center = Point<dim>(bdf.known(middle(last), middle(first)));
-    known.pose.angle  = bdf.known(last.pose.angle, first.pose.angle);
+    known.pose.set_attitude(last.pose);
+    known.pose.turn(bdf.before_weight * first.pose.turn_from(last.pose));
     known.shape.resize(last.shape.size());
     for (unsigned int a = 0; a < last.shape.size(); ++a)
       known.shape[a] = bdf.known(last.shape[a], first.shape[a]);
@@ -31,7 +32,8 @@ namespace swimtwin
       return std::nullopt;
     const BodyVelocities<dim> last  = swimmer.velocities(now.configuration, now.rates),
                               first = swimmer.velocities(before.configuration, before.rates);
-    BodyVelocities<dim> known{bdf.known(last.head, first.head), bdf.known(last.omega, first.omega), {}};
+    BodyVelocities<dim> known{
+        bdf.known(last.head, first.head), bdf.known(last.omega, first.omega), bdf.known(last.spin, first.spin), {}};
     for (unsigned int a = 0; a < last.tail.size(); ++a)
       known.tail.push_back(bdf.known(last.tail[a], first.tail[a]));
     return known;
@@ -56,9 +58,11 @@ namespace swimtwin
     const Scene &scene = swimmer.scene();
     if (scene.head.is_driven())
     {
-      const RigidPose<dim> pose          = given_pose<dim>(scene.head, step.time_s).pose;
-      rates.velocity                     = (pose.center - step.known.pose.center) / step.slope_weight;
-      rates.omega[rotation_about_z<dim>] = (pose.angle - step.known.pose.angle) / step.slope_weight;
+      const RigidPose<dim> pose = given_pose<dim>(scene.head, step.time_s).pose;
+      rates.velocity            = (pose.center - step.known.pose.center) / step.slope_weight;
+      const auto turn           = pose.turn_from(step.known.pose);
+      for (int k = 0; k < n_rotations<dim>; ++k)
+        rates.omega[k] = turn[k] / step.slope_weight;
     }
     if (scene.tail && scene.tail->is_driven())
     {
@@ -78,6 +82,7 @@ namespace swimtwin
     BodyVelocities<dim>        a     = swimmer.velocities(now.configuration, now.rates);
     a.head                           = (a.head - known.head) / step.slope_weight;
     a.omega                          = (a.omega - known.omega) / step.slope_weight;
+    a.spin                           = (a.spin - known.spin) / step.slope_weight;
     for (unsigned int i = 0; i < a.tail.size(); ++i)
       a.tail[i] = (a.tail[i] - known.tail[i]) / step.slope_weight;
     return a;

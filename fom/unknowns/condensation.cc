@@ -27,11 +27,11 @@ namespace swimtwin
   }
 
   template <int dim>
-  unsigned int Condensation<dim>::add_entry(const unsigned int unknown)
+  unsigned int Condensation<dim>::add_entry(const unsigned int row, const unsigned int column)
   {
     entry_position_.push_back(pattern_rows_.size());
-    pattern_rows_.push_back(unknown);
-    pattern_columns_.push_back(unknown);
+    pattern_rows_.push_back(row);
+    pattern_columns_.push_back(column);
     return entry_position_.size() - 1;
   }
 

@@ -17,8 +17,8 @@ namespace swimtwin
     /// Describe one cell by its rows of the motion map, and how often it counts: a cell may stand for others that do
     /// the same. Returns its number.
     unsigned int add_cell(std::vector<unsigned int> rows, double weight = 1.);
-    /// Describe a single entry (unknown, unknown).
-    unsigned int add_entry(unsigned int unknown);
+    /// Describe a single entry.
+    unsigned int add_entry(unsigned int row, unsigned int column);
 
     /// Give the pattern to the system. Collective.
     void lay_out(LinearSystem &system) const;

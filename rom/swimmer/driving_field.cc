@@ -92,6 +92,10 @@ namespace swimtwin
           fmt::format("[field] ramp_s = {} makes the field of the scene differ from period to period, which "
                       "the reduced swimmer does not follow; set it to 0.",
                       program.ramp_s));
+    if (program.leaves_plane())
+      throw InputError(fmt::format("{} has a component along z, and the reduced swimmer moves in the plane of x and y; "
+                                   "set bz_T to zero, or simulate it with dimension = 3.",
+                                   program.file.empty() ? "[field] of the scene" : program.file.string()));
     Drive drive;
     if (program.waveform() == FieldProgram::Waveform::sampled)
       drive = sampled_drive(program);

@@ -93,6 +93,35 @@ namespace swimtwin
     }
   }
 
+  // In space the attitude is a quaternion, and all of a row has to come back: positions along z, torques.
+  TEST(Resume, AKilledRunOutOfThePlaneContinuesToTheSameTrajectory)
+  {
+    const ShrunkScene     sphere{"rotating-sphere-3d", {"variant=quick", "time.periods=0.4", "field.bx_T=3e-3"}};
+    const TemporaryFolder folder;
+    const auto            run = folder.path / "run";
+    {
+      ChildProcess      child(tool(simulate_arguments(sphere, run)));
+      const std::string file = run / "checkpoint.h5";
+      ASSERT_TRUE(child.wait_for_file(file));
+      std::error_code ignored;
+      const auto      first = std::filesystem::last_write_time(file, ignored);
+      ASSERT_TRUE(child.wait_until([&] { return std::filesystem::last_write_time(file, ignored) != first; }));
+      ASSERT_TRUE(child.kill());
+    }
+    ASSERT_FALSE(std::filesystem::exists(run / "trajectory.csv"));
+    simulate(sphere, run, {"--resume"});
+    const Trajectory whole = simulate(sphere).trajectory, resumed = read_motion(run).trajectory;
+    ASSERT_EQ(resumed.size(), whole.size());
+    EXPECT_GT(std::abs(whole.back().head_qy), 0.1); // it does turn
+    EXPECT_NE(whole.back().head_qx, 0.);
+    for (std::size_t i = 0; i < whole.size(); ++i)
+    {
+      const std::vector<double> a = numbers_of(resumed[i]), b = numbers_of(whole[i]);
+      for (std::size_t k = 0; k < a.size(); ++k)
+        EXPECT_NEAR(a[k], b[k], tolerance * std::max(std::abs(b[k]), 1e-12));
+    }
+  }
+
   TEST(Resume, ARunThatIsKilledTwiceContinuesToTheSameTrajectory)
   {
     const TemporaryFolder folder;

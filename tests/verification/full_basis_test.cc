@@ -80,7 +80,7 @@ namespace swimtwin
     xi(0)                = U[0];
     xi(1)                = U[1];
     xi(2)                = rates.omega[0];
-    load(2)              = swimmer.torque_on_head(configuration.pose.angle, model.now().time_s).torque;
+    load(2)              = swimmer.torque_on_head(configuration.pose, model.now().time_s).torque[0];
     const double slope   = 2. / 3. * scene.time.time_step_s();
     for (unsigned int i = 0; i < dofs.size(); ++i)
     {

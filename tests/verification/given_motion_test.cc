@@ -80,7 +80,7 @@ namespace swimtwin
         if (step > scene.time.n_steps() - scene.time.steps_per_period)
         {
           period.velocity_m_s.push_back(model.now().rates.velocity[0]);
-          period.force_N_m.push_back(model.balance().load_of_fluid[0]);
+          period.force_N_m.push_back(model.balance().load_of_fluid.force[0]);
         }
       }
       return period;

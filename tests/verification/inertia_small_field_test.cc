@@ -65,7 +65,7 @@ namespace swimtwin
         fluid_.begin_step(Bdf2(slope_weight, 0.));
         Rates<2> at_rest;
         at_rest.shape_rate.resize(rest_.shape.size());
-        const BodyVelocities<2> known{{}, {}, NodalField<2>(rest_.shape.size())};
+        const BodyVelocities<2> known{{}, {}, {}, NodalField<2>(rest_.shape.size())};
         std::vector<double>     unknowns(system_.n_unknowns(), 0.);
         EXPECT_TRUE(system_.solve({rest_, at_rest, slope_weight, 0., 0., &known}, unknowns));
         std::vector<Eigen::Triplet<Complex>> entries;
@@ -90,7 +90,7 @@ namespace swimtwin
         const Scene     &scene = swimmer_.scene();
         Eigen::VectorXcd load  = Eigen::VectorXcd::Zero(matrix.rows());
         load[load.size() - 1] =
-            swimmer_.torque_on_head(0., .25 * scene.field.period_s()).torque / scene.body_length_m();
+            swimmer_.torque_on_head({0.}, .25 * scene.field.period_s()).torque[0] / scene.body_length_m();
         const Eigen::SparseLU<ComplexMatrix> factors(matrix);
         EXPECT_EQ(factors.info(), Eigen::Success);
         const Eigen::VectorXcd    solution = factors.solve(load);

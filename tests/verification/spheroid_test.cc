@@ -230,7 +230,7 @@ namespace swimtwin
     {
       const double angle_before = angle, time_before = model.now().time_s;
       model.advance();
-      angle = model.now().configuration.pose.angle;
+      angle += std::remainder(model.now().configuration.pose.heading() - angle, 2. * pi);
       // tan(angle) = -tan(t r / (r^2 + 1)) / r, with r = 2
       const double phase = model.now().time_s * 2. / 5., exact = -std::atan2(std::sin(phase) / 2., std::cos(phase));
       largest = std::max(largest, std::abs(std::remainder(angle - exact, 2. * pi)));

@@ -24,7 +24,7 @@ namespace swimtwin
       const Scene       scene = shipped_scene(name);
       FullOrderModel<2> model(scene, MPI_COMM_WORLD);
       model.advance();
-      const auto &load = model.balance().load_of_fluid;
+      const auto &load = model.balance().load_of_fluid.force;
       std::cout << name << ": drag " << load[0] << ", lift " << load[1] << " N/m, " << model.n_unknowns() << " unknowns"
                 << std::endl;
       return {1e3 * model.now().configuration.shape[model.swimmer().tail().axis_at_tip[2]], load[0], load[1],

@@ -49,6 +49,30 @@ namespace swimtwin
     }
   }
 
+  TEST(FieldProgram, ComponentAlongZHasItsPhase)
+  {
+    const FieldProgram cone = FieldProgram::sinusoidal(1e-3, 4e-3, 0.5, {4e-3, std::numbers::pi / 2.});
+    for (const double t : {0., 0.1, 0.7, 3.3}) // it turns about x
+    {
+      EXPECT_NEAR(cone(t)[2], 4e-3 * std::cos(std::numbers::pi * t), 1e-17);
+      EXPECT_NEAR(std::hypot(cone(t)[1], cone(t)[2]), 4e-3, 1e-17);
+    }
+    EXPECT_EQ(FieldProgram::constant(1., 2., 3.)(7.), (std::array<double, 3>{1., 2., 3.}));
+  }
+
+  TEST(FieldProgram, LeavesThePlaneWhereverItIsAlongZ)
+  {
+    std::vector<std::array<double, 3>> b(4, {1e-3, 1e-3, 0.});
+    const auto                         sampled = [&] { return FieldProgram::sampled({0., .1, .2, .3}, b, .4); };
+    EXPECT_FALSE(FieldProgram().leaves_plane());
+    EXPECT_FALSE(FieldProgram::sinusoidal(1e-3, 1e-3, 1., {0., 1.}).leaves_plane());
+    EXPECT_FALSE(sampled().leaves_plane());
+    b[2][2] = -1e-5;
+    EXPECT_TRUE(sampled().leaves_plane());
+    EXPECT_TRUE(FieldProgram::sinusoidal(1e-3, 1e-3, 1., {1e-5, 0.}).leaves_plane());
+    EXPECT_TRUE(FieldProgram::constant(1e-3, 1e-3, 1e-5).leaves_plane());
+  }
+
   TEST(FieldProgram, SinusoidalNeedsAPositiveFrequency)
   {
     expect_in(message_of<InputError>([] { FieldProgram::sinusoidal(1., 1., 0.); }), "frequency_Hz = 0");

@@ -91,6 +91,19 @@ namespace swimtwin
     expect_doubt(with_program("0", "-2e-3"), "the head's magnetization points against the field");
   }
 
+  TEST(MirrorPlane, InSpaceAFieldAlongZTakesItAway)
+  {
+    const Overrides in_space{"dimension=3", "head.shape=cylinder", "domain.size_m=[40e-3, 20e-3, 20e-3]"};
+    const auto      with = [&](const Overrides &more) {
+      Overrides all = in_space;
+      all.insert(all.end(), more.begin(), more.end());
+      return swimmer(all);
+    };
+    expect_half(with({}));
+    expect_half(with({"field.bz_T=1e-3", "head.magnetization_A_m=0.0"})); // nothing feels it
+    expect_no_plane(with({"field.bz_T=1e-3"}), "the field has a component along z");
+  }
+
   TEST(MirrorPlane, AnAlignedFieldHoldsTheSwimmer)
   {
     expect_half(aligned({}));

@@ -426,6 +426,34 @@ namespace swimtwin
                    "[field] frequency_Hz is missing; a sinusoidal field needs");
   }
 
+  TEST(SceneRules, AFieldAlongZIsForThreeDimensions)
+  {
+    const Overrides cone{"field.bz_T=5e-3", "field.bz_phase_rad=1.57"};
+    expect_refused(cone, "[field] bz_T = 0.005 is not zero, which turns the swimmer out of the plane; set bz_T to "
+                         "zero, or use dimension = 3.");
+    expect_accepted(swimmer_toml, {"field.bz_T=0.0"});
+    expect_accepted(swimmer_toml, in_space + cone);
+    expect_refused(in_space + Overrides{"field.bz_phase_rad=1.57"},
+                   "[field] bz_phase_rad = 1.57 is the phase of bz_T, which is missing; add it, or remove this.");
+    expect_refused(in_space + cone + Overrides{"numerics.symmetric_half=on"},
+                   "needs a scene that is its own mirror image, but the field has a component along z");
+    expect_refused({"field={waveform=\"constant\", bx_T=1e-3, by_T=0.0, bz_T=0.0, bz_phase_rad=1.0}"},
+                   "[field] bz_phase_rad = 1 does not belong to a constant field; remove it.");
+    expect_refused({"field={program=\"a.csv\", period_s=1.0, bz_T=1e-3}"},
+                   "[field] bz_T = 0.001 does not go with a program");
+    expect_refused(in_space + Overrides{"field.bz_T=nan"},
+                   "[field] bz_T = nan is out of range; it must be a finite number");
+  }
+
+  TEST(SceneRules, AFieldProgramInThePlaneHasNothingAlongZ)
+  {
+    const TemporaryFolder folder;
+    const auto program = folder.write("turn.csv", "time_s,bx_T,by_T,bz_T\n0,1e-3,0,0\n1,0,0,1e-3\n2,0,0,0\n3,0,0,0\n");
+    const Overrides played{"field={program=\"" + program.string() + "\", period_s=4.0}"};
+    expect_refused(played, "has values of bz_T that are not zero, which turns the swimmer out of the plane");
+    expect_accepted(swimmer_toml, in_space + played);
+  }
+
   TEST(SceneRules, PeriodicFieldsCountPeriods)
   {
     expect_refused(

@@ -128,7 +128,7 @@ namespace swimtwin
     system.set_pattern(0, n, chain.rows, chain.columns);
     std::vector<double> solution(n, 0.);
     EXPECT_TRUE(solve_for_wave(system, chain, solution));
-    const double response = system.response_to_unit_load(n / 2);
+    const double response = system.response_to_load({{n / 2, 1.}});
     EXPECT_GT(response, 0.);
     EXPECT_EQ(system.counts().n_factorizations, 1);
     EXPECT_TRUE(solve_for_wave(system, chain, solution)); // the values were set again
@@ -198,6 +198,6 @@ namespace swimtwin
     system.set_pattern(0, n, chain.rows, chain.columns);
     system.set_matrix(chain.values);
     for (const PetscInt i : {0, 7, 49})
-      EXPECT_NEAR(system.response_to_unit_load(i), (i + 1.) * (n - i) / (n + 1.), 1e-8 * n);
+      EXPECT_NEAR(system.response_to_load({{i, 1.}}), (i + 1.) * (n - i) / (n + 1.), 1e-8 * n);
   }
 } // namespace swimtwin

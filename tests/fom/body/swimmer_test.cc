@@ -59,21 +59,18 @@ namespace swimtwin
     };
     for (const double angle : {-2., 0., 0.5, 3.})
     {
-      const auto [torque, derivative] = magnetic_torque(moment, angle, field);
-      EXPECT_NEAR(torque, -(energy(angle + h) - energy(angle - h)) / (2. * h), moment * h * h);
-      EXPECT_NEAR(
-          derivative,
-          (magnetic_torque(moment, angle + h, field).torque - magnetic_torque(moment, angle - h, field).torque) /
-              (2. * h),
-          moment * h * h);
+      const auto torque = [&](const double at) { return magnetic_torque<2>(moment, {at}, field).torque[0]; };
+      EXPECT_NEAR(torque(angle), -(energy(angle + h) - energy(angle - h)) / (2. * h), moment * h * h);
+      EXPECT_NEAR((magnetic_torque<2>(moment, {angle}, field).derivative[0][0]),
+                  (torque(angle + h) - torque(angle - h)) / (2. * h), moment * h * h);
     }
   }
 
   TEST_F(SwimmerTest, TorqueOnTheHeadIsMagnetizationTimesAreaTimesField)
   {
     const double quarter = scene.time.period_s / 4.; // the field is (5, 5) mT there
-    EXPECT_NEAR(swimmer.torque_on_head(0., quarter).torque, 2e5 * 0.5e-3 * 1.5e-3 * 5e-3, 1e-16);
-    EXPECT_NEAR(swimmer.torque_on_head(std::numbers::pi / 4., quarter).torque, 0., 1e-16);
+    EXPECT_NEAR(swimmer.torque_on_head({0.}, quarter).torque[0], 2e5 * 0.5e-3 * 1.5e-3 * 5e-3, 1e-16);
+    EXPECT_NEAR(swimmer.torque_on_head({std::numbers::pi / 4.}, quarter).torque[0], 0., 1e-16);
   }
 
   TEST_F(SwimmerTest, TailAngleOfARigidTurnIsTheHeadsAngle)
@@ -205,7 +202,7 @@ namespace swimtwin
       magnitude += f.norm();
       torque += x[a][0] * f[1] - x[a][1] * f[0];
     }
-    const double expected = magnetic_torque(3e4 * swimmer.elasticity().volume(), 0.6, scene.field(t)).torque;
+    const double expected = magnetic_torque<2>(3e4 * swimmer.elasticity().volume(), {0.6}, scene.field(t)).torque[0];
     EXPECT_LE(force.norm(), 1e-12 * magnitude);
     EXPECT_NEAR(torque, expected, 1e-11 * std::abs(expected));
   }
@@ -261,5 +258,62 @@ namespace swimtwin
         shipped_scene("reference-2d-casefile", {coarse_body[0], coarse_body[1], "head.motion=fixed"});
     const Swimmer<2> fixed(fixed_scene, MPI_COMM_WORLD);
     EXPECT_EQ(fixed.arm_to_middle(configuration(0.3).shape).norm(), 0.);
+  }
+
+  // Of -m . B along rotation vectors.
+  TEST(MagneticTorque, InSpaceIsTheFirstDerivativeOfTheEnergyAndHasTheSecond)
+  {
+    constexpr double            moment = 3., h = 1e-3;
+    const std::array<double, 3> field = {0.3, -0.8, 0.5};
+    Attitude<3>                 attitude;
+    attitude.turn(AngularVelocity<3>({.4, -1.1, .7}));
+    const AngularVelocity<3> directions[] = {AngularVelocity<3>({1., 0., 0.}), AngularVelocity<3>({0.6, 0., -0.8}),
+                                             AngularVelocity<3>({-.3, .5, .2})};
+    const auto [torque, derivative]       = magnetic_torque<3>(moment, attitude, field);
+    const auto energy                     = [&](const AngularVelocity<3> &v, const double s) {
+      Attitude<3> at = attitude;
+      at.turn(s * v);
+      const Tensor<2, 3> turned = at.rotation();
+      return -moment * (turned[0][0] * field[0] + turned[1][0] * field[1] + turned[2][0] * field[2]);
+    };
+    for (const auto &v : directions)
+    {
+      EXPECT_NEAR(torque * v, -(energy(v, h) - energy(v, -h)) / (2. * h), moment * h * h);
+      EXPECT_NEAR(v * (derivative * v), -(energy(v, h) - 2. * energy(v, 0.) + energy(v, -h)) / (h * h), moment * h * h);
+    }
+    EXPECT_LE((derivative - transpose(derivative)).norm(), 1e-15);
+  }
+
+  // A turned cylinder: int rho |omega x r|^2 / 2, the middle of each ring by the midpoint rule.
+  TEST(SwimmerInSpace, SpinAndEnergyAreThoseOfARotatingCylinder)
+  {
+    const Scene scene = shipped_scene(
+        "rotating-sphere-3d",
+        {"variant=quick", "fluid.inertia=full",
+         "head={shape=\"cylinder\", size_m=[0.5e-3, 1.5e-3], density_kg_m3=7000.0, magnetization_A_m=1e4}"});
+    const Swimmer<3> swimmer(scene, MPI_COMM_WORLD);
+    auto             configuration = swimmer.configuration_at_rest();
+    configuration.pose.turn(AngularVelocity<3>({.4, -1.1, .7}));
+    Rates<3> rates;
+    rates.omega              = AngularVelocity<3>({2., 3., -1.});
+    const auto    velocities = swimmer.velocities(configuration, rates);
+    constexpr int n = 200, n_angles = 16;
+    const double  length = .5e-3, radius = .75e-3, pi = std::numbers::pi;
+    Tensor<1, 3>  momentum;
+    double        energy = 0.;
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j)
+        for (int k = 0; k < n_angles; ++k)
+        {
+          const double       x = length * ((i + .5) / n - .5), r = radius * (j + .5) / n, phi = 2. * pi * k / n_angles;
+          const Tensor<1, 3> at =
+              configuration.pose.rotation() * Tensor<1, 3>({x, r * std::cos(phi), r * std::sin(phi)});
+          const Tensor<1, 3> v    = rotational_velocity<3>(rates.omega, at);
+          const double       mass = 7000. * (length / n) * (radius / n) * r * 2. * pi / n_angles;
+          momentum += mass * torque_of_force<3>(at, v);
+          energy += .5 * mass * v.norm_square();
+        }
+    EXPECT_LE((swimmer.head_moment_of_inertia() * velocities.spin - momentum).norm(), 1e-4 * momentum.norm());
+    EXPECT_NEAR(swimmer.kinetic_energy(velocities), energy, 1e-4 * energy);
   }
 } // namespace swimtwin

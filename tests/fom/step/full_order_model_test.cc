@@ -62,7 +62,7 @@ namespace swimtwin
       EXPECT_NEAR(b.magnetic, b.dissipation + elastic_power(model), 1e-6 * b.dissipation);
       EXPECT_EQ(b.wall, 0.);
       EXPECT_EQ(b.gravity, 0.);
-      EXPECT_EQ(b.load_that_holds_head[2], 0.); // free
+      EXPECT_EQ(b.load_that_holds_head.torque[2], 0.); // free
     }
     EXPECT_EQ(model.counts().n_step_halvings, 0);
   }
@@ -75,8 +75,8 @@ namespace swimtwin
     for (int step = 0; step < 2; ++step)
       model.advance();
     EXPECT_EQ(distance(model.now().configuration, rest), 0.);
-    const double torque = model.swimmer().torque_on_head(0., model.now().time_s).torque;
-    EXPECT_NEAR(model.balance().load_that_holds_head[2], -torque, 1e-12 * std::abs(torque));
+    const double torque = model.swimmer().torque_on_head({0.}, model.now().time_s).torque[0];
+    EXPECT_NEAR(model.balance().load_that_holds_head.torque[2], -torque, 1e-12 * std::abs(torque));
     EXPECT_NEAR(model.balance().magnetic, 0., 1e-20);
   }
 

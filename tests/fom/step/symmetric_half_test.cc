@@ -158,8 +158,9 @@ namespace swimtwin
     EXPECT_NEAR(a.elastic_energy, b.elastic_energy, 1e-6 * std::abs(b.elastic_energy));
     EXPECT_NEAR(a.wall, b.wall, 1e-9 * b.dissipation);
     EXPECT_NEAR(a.gravity, b.gravity, 1e-8 * std::abs(b.gravity));
-    EXPECT_NEAR(a.load_that_holds_head[0], b.load_that_holds_head[0], 1e-8 * std::abs(b.load_that_holds_head[0]));
-    EXPECT_NEAR(a.load_that_holds_head[1], 0., 1e-8 * std::abs(b.load_that_holds_head[0]));
+    EXPECT_NEAR(a.load_that_holds_head.force[0], b.load_that_holds_head.force[0],
+                1e-8 * std::abs(b.load_that_holds_head.force[0]));
+    EXPECT_NEAR(a.load_that_holds_head.force[1], 0., 1e-8 * std::abs(b.load_that_holds_head.force[0]));
     const auto flow = half.coupling().fluid_values(), whole_flow = whole.coupling().fluid_values();
     EXPECT_LE(largest_of(difference(flow, whole_flow)), 1e-8 * largest_of(whole_flow));
   }

@@ -66,7 +66,7 @@ namespace swimtwin
     LinearSystem    system(MPI_COMM_WORLD, {});
     for (const auto &rows : cells.rows)
       condensation.add_cell(rows);
-    const auto entry = condensation.add_entry(map.first_head_unknown() + 2);
+    const auto entry = condensation.add_entry(map.first_head_unknown() + 2, map.first_head_unknown() + 2);
     condensation.lay_out(system);
     for (int repetition = 0; repetition < 2; ++repetition) // assembling again starts from zero
     {

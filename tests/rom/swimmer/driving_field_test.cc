@@ -54,6 +54,14 @@ namespace swimtwin
     expect_slopes(drive);
   }
 
+  TEST(Drives, RefuseWhatLeavesThePlane)
+  {
+    expect_in(message_of<InputError>([] {
+                make_drive(FieldProgram::sinusoidal(5e-3, 5e-3, 1., {1e-3, 0.}));
+              }),
+              "[field] of the scene has a component along z, and the reduced swimmer moves in the plane");
+  }
+
   TEST(Drives, RefuseWhatIsNotPeriodic)
   {
     expect_in(message_of<InputError>([] { make_drive(FieldProgram::constant(1e-3, 0.)); }), "has no period");
