@@ -20,19 +20,22 @@ namespace swimtwin
 
     std::vector<GnuplotPicture> choose_pictures(const ShownRun &run)
     {
-      const bool                  has_shapes = run.snapshots && !run.snapshots->time_s.empty();
+      const bool has_shapes = run.snapshots && !run.snapshots->time_s.empty(),
+                 is_planar  = !run.scene.field.leaves_plane();
       std::vector<GnuplotPicture> pictures;
       if (run.head_moves())
         pictures.push_back(trajectory_picture(run));
       if (run.head_moves() || run.has_tail())
         pictures.push_back(angles_picture(run));
-      if (run.head_moves() && run.has_tail() && run.has_full_period() && stroke_loop_area_rad2(run.last_period()) != 0.)
+      if (is_planar && run.head_moves() && run.has_tail() && run.has_full_period() &&
+          stroke_loop_area_rad2(run.last_period()) != 0.)
         pictures.push_back(stroke_loop_picture(run));
       if (has_power(run.trajectory))
         pictures.push_back(power_balance_picture(run));
       if (run.has_tail() ? has_shapes : run.head_moves())
       {
-        pictures.push_back(shapes_picture(run));
+        if (is_planar)
+          pictures.push_back(shapes_picture(run));
         if (run.scene.dimension == 3)
           pictures.push_back(spatial_view_picture(run));
       }

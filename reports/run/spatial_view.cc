@@ -4,8 +4,8 @@
 #include <reports/page/shown_units.h>
 #include <reports/run/run_scripts.h>
 #include <reports/run/shown_instants.h>
-#include <reports/run/swimmer_shapes.h>
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -55,13 +55,35 @@ namespace swimtwin
       return triangles;
     }
 
-    PointInSpace placed(const PointInSpace &point, const Pose &pose)
+    struct PoseInSpace
     {
-      const double c = std::cos(pose.angle_rad), s = std::sin(pose.angle_rad);
-      return {pose.x_m + c * point[0] - s * point[1], pose.y_m + s * point[0] + c * point[1], point[2]};
+      PointInSpace       center; ///< m
+      Eigen::Quaterniond rotation;
+    };
+
+    PoseInSpace head_pose(const SnapshotSet &set, const Eigen::Index row)
+    {
+      if (set.pose_in_space.size() > 0)
+      {
+        const auto pose = set.pose_in_space.row(row);
+        return {pose.head<3>().transpose(), Eigen::Quaterniond(pose[3], pose[4], pose[5], pose[6])};
+      }
+      return {PointInSpace(set.pose(row, 0), set.pose(row, 1), 0.),
+              Eigen::Quaterniond(Eigen::AngleAxisd(set.pose(row, 2), PointInSpace::UnitZ()))};
     }
 
-    std::vector<Polygon> tail_surface(const SnapshotSet &set, const Eigen::Index row, const Pose &pose)
+    PoseInSpace head_pose(const TrajectoryRow &row)
+    {
+      return {PointInSpace(row.head_x_m, row.head_y_m, row.head_z_m),
+              Eigen::Quaterniond(row.head_qw, row.head_qx, row.head_qy, row.head_qz)};
+    }
+
+    PointInSpace placed(const PointInSpace &point, const PoseInSpace &pose)
+    {
+      return pose.center + pose.rotation * point;
+    }
+
+    std::vector<Polygon> tail_surface(const SnapshotSet &set, const Eigen::Index row, const PoseInSpace &pose)
     {
       std::vector<Polygon> surface;
       for (const auto &triangle : boundary_triangles(set.tail_cells))
@@ -90,7 +112,7 @@ namespace swimtwin
       return points;
     }
 
-    std::vector<Polygon> head_surface(const Head &head, const Pose &pose)
+    std::vector<Polygon> head_surface(const Head &head, const PoseInSpace &pose)
     {
       constexpr int        n_angles = 36;
       std::vector<Polygon> surface;
@@ -124,8 +146,8 @@ namespace swimtwin
         for (const std::size_t i :
              closest_instants(run, n_views, set.time_s.size(), [&](const std::size_t k) { return set.time_s[k]; }))
         {
-          const auto row = static_cast<Eigen::Index>(i);
-          const Pose pose{set.pose(row, 0), set.pose(row, 1), set.pose(row, 2)};
+          const auto        row  = static_cast<Eigen::Index>(i);
+          const PoseInSpace pose = head_pose(set, row);
           views.push_back(
               {shown_time(run, set.time_s[i]), tail_surface(set, row, pose), head_surface(run.scene.head, pose)});
         }
@@ -135,9 +157,7 @@ namespace swimtwin
                                                   [&](const std::size_t k) { return run.trajectory[k].time_s; }))
       {
         const TrajectoryRow &row = run.trajectory[i];
-        views.push_back({shown_time(run, row.time_s),
-                         {},
-                         head_surface(run.scene.head, {row.head_x_m, row.head_y_m, row.head_angle_rad})});
+        views.push_back({shown_time(run, row.time_s), {}, head_surface(run.scene.head, head_pose(row))});
       }
       return views;
     }
