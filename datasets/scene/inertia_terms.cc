@@ -89,7 +89,7 @@ namespace swimtwin
     /// flow that oscillates, let it. Measured in boxes of 20 to 80 mm and discs of 12 to 50 mm (docs/study.md).
     double fluid_moved(const Scene &scene, const double frequency_Hz, const double viscosity_Pa_s)
     {
-      constexpr double reach_there = 1.25, viscous_lengths = 1.7, power = 1.6, closed_factor = 2.; // body lengths
+      constexpr double reach_there = 1.25, viscous_lengths = 1.7, power = 1.6, closed_factor = 2.2; // body lengths
       const double     viscous_length =
           std::sqrt(viscosity_Pa_s / (std::numbers::pi * scene.fluid->density_kg_m3 * frequency_Hz));
       const double reach = std::min(fluid_reach_m(scene), viscous_lengths * viscous_length) / scene.body_length_m();

@@ -111,7 +111,8 @@ namespace swimtwin
     refuse({"open-2d", "--budget", "-5min"}, {"--budget"});
     refuse({"open-2d", "--followers", "3"}, {"--followers", "--basis bending", "leave it out"});
     refuse({"open-2d", "--set", "field.ramp_s=0.5"}, {"ramp_s", "take it out"});
-    refuse({"open-2d", "--set", "fluid.inertia=\"none\"", "--frequency", "0.1:30"}, {"unsteady group", "--allow-inertia"});
+    refuse({"open-2d", "--set", "fluid.inertia=\"none\"", "--frequency", "0.1:30"},
+           {"unsteady group", "--allow-inertia"});
     refuse({"open-2d", "--young-modulus", "-1:2"}, {"--young-modulus"});
     refuse({"open-2d", "--young-modulus", "soft"}, {"--young-modulus"});
     refuse({"open-2d", "--snapshots", "nothing.h5"}, {"nothing.h5"});

@@ -64,6 +64,32 @@ namespace swimtwin
     }
   }
 
+  // Displacements with the fluid's terms over those without, as simulate gave them with these settings.
+  TEST(InertiaShares, GrowWithHowFarTheFluidReaches)
+  {
+    struct Measured
+    {
+      const char *scene, *domain;
+      double      frequency_Hz, gain;
+    };
+    for (const auto &[scene, domain, frequency_Hz, gain] :
+         {Measured{"reference-2d-casefile", "domain.size_m=[40e-3,20e-3]", .9, 1.01906},
+          Measured{"reference-2d-casefile", "domain.size_m=[80e-3,40e-3]", .9, 1.06258},
+          Measured{"reference-2d-casefile", "domain.size_m=[160e-3,80e-3]", .9, 1.12131},
+          Measured{"open-2d", "domain.radius_m=12e-3", .9, 1.06061},
+          Measured{"open-2d", "domain.radius_m=50e-3", .9, 1.19813},
+          Measured{"open-2d", "domain.radius_m=40e-3", .3, 1.18441},
+          Measured{"open-2d", "domain.radius_m=40e-3", 2.7, 1.16415}})
+    {
+      const Scene swimmer =
+          read_scene(datasets / "scenes" / (std::string(scene) + ".toml"),
+                     {domain, "tail.young_modulus_Pa=8e4", "field.frequency_Hz=" + std::to_string(frequency_Hz)});
+      const double share = inertia_shares(swimmer).fluid;
+      EXPECT_GE(share / (1. - share), gain - 1.) << domain;
+      EXPECT_LE(share / (1. - share), 2. * (gain - 1.)) << domain;
+    }
+  }
+
   TEST(InertiaTermsOfAuto, KeepAllThatMattersInEveryMeasuredRow)
   {
     for (const auto &swimmer : measured_swimmers())
