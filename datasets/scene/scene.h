@@ -27,6 +27,7 @@ namespace swimtwin
   enum class InflowProfile { parabolic, uniform };
   enum class Inertia { automatic, none, full, chosen };
   enum class CouplingScheme { monolithic, fixed_point };
+  enum class LinearSolver { automatic, direct, iterative };
   enum class AccelerationMethod { aitken, iqn_ils };
   enum class SymmetricHalf { automatic, on, off };
   enum class MeshMotion { elastic, weighted_harmonic, harmonic };
@@ -207,6 +208,7 @@ namespace swimtwin
     AccelerationMethod acceleration            = AccelerationMethod::aitken; ///< of a fixed point
     double             relaxation              = 0.3; ///< its first factor at a full step, before anything was learnt
     int                iqn_reused_steps        = 8;
+    LinearSolver       linear_solver           = LinearSolver::automatic;
     double             linear_tolerance        = 1e-7; ///< on the preconditioned residual, relative to the solution
     bool               reuse_factorization     = false;
     int                max_step_halvings       = 6;

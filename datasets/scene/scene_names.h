@@ -125,6 +125,13 @@ namespace swimtwin
        {"head", &InertiaTerms::head}}};
 
   template <>
+  struct Names<LinearSolver>
+  {
+    static constexpr std::array<std::pair<std::string_view, LinearSolver>, 3> list{
+        {{"auto", LinearSolver::automatic}, {"direct", LinearSolver::direct}, {"iterative", LinearSolver::iterative}}};
+  };
+
+  template <>
   struct Names<CouplingScheme>
   {
     static constexpr std::array<std::pair<std::string_view, CouplingScheme>, 2> list{

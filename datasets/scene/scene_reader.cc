@@ -409,6 +409,7 @@ namespace swimtwin
       read_choice(table, "acceleration", numerics.acceleration);
       table.number("relaxation", optional("", relaxation_range), numerics.relaxation);
       table.integer("iqn_reused_steps", optional("", not_negative), numerics.iqn_reused_steps);
+      read_choice(table, "linear_solver", numerics.linear_solver);
       table.number("linear_tolerance", optional("", tolerance_range), numerics.linear_tolerance);
       table.flag("reuse_factorization", numerics.reuse_factorization);
       table.integer("max_step_halvings", optional("", halvings_range), numerics.max_step_halvings);

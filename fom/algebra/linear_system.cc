@@ -12,6 +12,13 @@ namespace swimtwin
 {
   namespace
   {
+    constexpr int most_block_iterations = 150;
+
+    bool is_finite(const std::vector<double> &values)
+    {
+      return std::all_of(values.begin(), values.end(), [](const double value) { return std::isfinite(value); });
+    }
+
     void use_factors(const KSP ksp, const PCType type)
     {
       PC pc;
@@ -78,6 +85,9 @@ namespace swimtwin
 
   void LinearSystem::clear()
   {
+    KSPDestroy(&block_ksp_);
+    blocks_.reset();
+    VecDestroy(&masses_);
     VecScatterDestroy(&gather_);
     VecDestroy(&gathered_);
     VecDestroy(&correction_);
@@ -94,7 +104,9 @@ namespace swimtwin
   {
     const ScopedCpuTime time(counts_.assembly_cpu_s);
     clear();
-    require_memory_for_unknowns(sum_over_ranks(last_row - first_row, communicator_), dimension, communicator_);
+    const PetscInt n_unknowns = sum_over_ranks(last_row - first_row, communicator_);
+    is_iterative_             = iterates(options_.method, dimension, n_unknowns);
+    require_memory_for_unknowns(n_unknowns, dimension, is_iterative_, communicator_);
     first_row_ = first_row;
     last_row_  = last_row;
     check_petsc(MatCreate(communicator_, &matrix_), "made a matrix");
@@ -129,7 +141,12 @@ namespace swimtwin
 
   void LinearSystem::set_right_hand_side(const std::vector<double> &contributions)
   {
-    const ScopedCpuTime   time(counts_.assembly_cpu_s);
+    const ScopedCpuTime time(counts_.assembly_cpu_s);
+    fill(rhs_, contributions);
+  }
+
+  void LinearSystem::fill(const Vec vector, const std::vector<double> &contributions) const
+  {
     std::vector<PetscInt> indices;
     std::vector<double>   values;
     for (PetscInt i = 0; i < size_; ++i)
@@ -138,10 +155,70 @@ namespace swimtwin
         indices.push_back(i);
         values.push_back(contributions[i]);
       }
-    VecZeroEntries(rhs_);
-    check_petsc(VecSetValues(rhs_, indices.size(), indices.data(), values.data(), ADD_VALUES), "filled a vector");
-    check_petsc(VecAssemblyBegin(rhs_), "filled a vector");
-    check_petsc(VecAssemblyEnd(rhs_), "filled a vector");
+    VecZeroEntries(vector);
+    check_petsc(VecSetValues(vector, indices.size(), indices.data(), values.data(), ADD_VALUES), "filled a vector");
+    check_petsc(VecAssemblyBegin(vector), "filled a vector");
+    check_petsc(VecAssemblyEnd(vector), "filled a vector");
+  }
+
+  void LinearSystem::set_kinds(const std::vector<UnknownKind> &kinds)
+  {
+    blocks_ = std::make_unique<BlockPreconditioner>(communicator_, first_row_, kinds);
+    check_petsc(VecDuplicate(rhs_, &masses_), "made vectors");
+    check_petsc(KSPCreate(communicator_, &block_ksp_), "made a solver");
+    check_petsc(KSPSetOperators(block_ksp_, matrix_, matrix_), "made a solver");
+    check_petsc(KSPSetType(block_ksp_, KSPFGMRES), "made a solver");
+    check_petsc(KSPGMRESSetRestart(block_ksp_, most_block_iterations), "made a solver");
+    check_petsc(KSPSetInitialGuessNonzero(block_ksp_, PETSC_TRUE), "made a solver");
+    PC pc;
+    check_petsc(KSPGetPC(block_ksp_, &pc), "made a solver");
+    check_petsc(PCSetType(pc, PCSHELL), "made a solver");
+    check_petsc(PCShellSetContext(pc, blocks_.get()), "made a solver");
+    check_petsc(PCShellSetApply(pc,
+                                [](PC shell, Vec x, Vec y) -> PetscErrorCode {
+                                  void *blocks;
+                                  PCShellGetContext(shell, &blocks);
+                                  static_cast<BlockPreconditioner *>(blocks)->apply(x, y);
+                                  return 0;
+                                }),
+                "made a solver");
+  }
+
+  void LinearSystem::set_masses(const std::vector<double> &contributions)
+  {
+    const ScopedCpuTime time(counts_.assembly_cpu_s);
+    fill(masses_, contributions);
+  }
+
+  bool LinearSystem::set_up_blocks()
+  {
+    const ScopedCpuTime time(counts_.factorization_cpu_s);
+    ++counts_.n_factorizations;
+    has_factors_         = blocks_->set_up(matrix_, masses_, matrix_is_symmetric_);
+    solves_with_factors_ = 0;
+    effort_with_factors_ = options_.factorization_effort;
+    factors_are_worn_    = false;
+    return has_factors_;
+  }
+
+  bool LinearSystem::iterate_with_blocks(const std::vector<double> &guess)
+  {
+    const ScopedCpuTime time(counts_.solve_cpu_s);
+    set_guess(guess);
+    check_petsc(KSPSetTolerances(block_ksp_, tolerance_, 1e-300, 1e10, most_block_iterations), "set up a solver");
+    check_petsc(KSPSolve(block_ksp_, rhs_, solution_), "solved");
+    PetscInt           iterations;
+    KSPConvergedReason reason;
+    check_petsc(KSPGetIterationNumber(block_ksp_, &iterations), "solved");
+    check_petsc(KSPGetConvergedReason(block_ksp_, &reason), "solved");
+    note_effort(iterations);
+    return reason > 0;
+  }
+
+  bool LinearSystem::solve_by_blocks(const std::vector<double> &guess)
+  {
+    return (has_factors_ && !factors_are_worn_ && iterate_with_blocks(guess)) ||
+           (set_up_blocks() && iterate_with_blocks(guess));
   }
 
   bool LinearSystem::set_up_factors()
@@ -188,13 +265,18 @@ namespace swimtwin
     return has_factors_;
   }
 
-  bool LinearSystem::iterate_with_old_factors(const std::vector<double> &guess)
+  void LinearSystem::set_guess(const std::vector<double> &guess)
   {
-    const ScopedCpuTime time(counts_.solve_cpu_s);
-    double             *local;
+    double *local;
     VecGetArray(solution_, &local);
     std::copy(guess.begin() + first_row_, guess.begin() + last_row_, local);
     VecRestoreArray(solution_, &local);
+  }
+
+  bool LinearSystem::iterate_with_old_factors(const std::vector<double> &guess)
+  {
+    const ScopedCpuTime time(counts_.solve_cpu_s);
+    set_guess(guess);
     check_petsc(KSPSetReusePreconditioner(ksp_, PETSC_TRUE), "set up a solver");
     // Relative to the solution: its guess has that size. Without one the first residual has it; it also bounds from
     // below what a guess that is far too small would ask for.
@@ -270,6 +352,12 @@ namespace swimtwin
   {
     ++counts_.n_solves;
     bool converged = false;
+    if (blocks_)
+    {
+      converged = solve_by_blocks(solution);
+      gather_solution(solution);
+      return converged && is_finite(solution);
+    }
     if (has_factors_ && !factors_are_old_)
       converged = refine();
     else if (has_factors_ && options_.reuse_factorization && !factors_are_worn_)
@@ -286,16 +374,18 @@ namespace swimtwin
     }
     if (!converged)
       converged = factorize() && refine();
+    gather_solution(solution);
+    return converged && is_finite(solution);
+  }
+
+  void LinearSystem::gather_solution(std::vector<double> &solution)
+  {
     VecScatterBegin(gather_, solution_, gathered_, INSERT_VALUES, SCATTER_FORWARD);
     VecScatterEnd(gather_, solution_, gathered_, INSERT_VALUES, SCATTER_FORWARD);
     const double *all;
     VecGetArrayRead(gathered_, &all);
     solution.assign(all, all + size_);
     VecRestoreArrayRead(gathered_, &all);
-    for (const double value : solution)
-      if (!std::isfinite(value))
-        return false;
-    return converged;
   }
 
   bool LinearSystem::solve_together(std::vector<std::vector<double>> &columns)

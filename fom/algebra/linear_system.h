@@ -1,14 +1,26 @@
 // A distributed sparse system that is assembled and solved many times with one pattern.
 #pragma once
 
+#include <datasets/scene/scene.h>
+#include <fom/algebra/block_preconditioner.h>
+
 #include <petscksp.h>
 
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace swimtwin
 {
+  /// Where factors take more memory than iterations by half, and as much time (docs/benchmarks.md).
+  constexpr int  unknowns_for_iterations = 200'000;
+  constexpr bool iterates(const LinearSolver method, const int dimension, const PetscInt n_unknowns)
+  {
+    return method == LinearSolver::iterative ||
+           (method == LinearSolver::automatic && dimension == 3 && n_unknowns > unknowns_for_iterations);
+  }
+
   /// How hard the solver worked, over all solves.
   struct LinearSolverCounts
   {
@@ -24,6 +36,9 @@ namespace swimtwin
     int  factorization_effort = 8; ///< of a factorisation in GMRES iterations: 7 to 8 measured in 2D at 17,000 unknowns
     bool positive_definite    = false; ///< Cholesky instead of LU
     bool symmetric            = false; ///< factorise the upper triangle of symmetric matrices alone, LDL^T
+    /// Iterative: with a preconditioner of blocks once they are known; the tolerance is on the residual, relative to
+    /// the right-hand side. Automatic: from `unknowns_for_iterations` on in space.
+    LinearSolver method = LinearSolver::direct;
   };
 
   /// Matrix entries are given by rows and columns once (MatSetPreallocationCOO), then only their values change; entries
@@ -40,6 +55,11 @@ namespace swimtwin
     /// mesh behind them, which says how far factors fill in. Collective; throws ComputationError for want of memory.
     void set_pattern(PetscInt first_row, PetscInt last_row, std::vector<PetscInt> rows, std::vector<PetscInt> columns,
                      int dimension = 2);
+    /// For an iterative solver: what this rank's unknowns are. Collective.
+    void set_kinds(const std::vector<UnknownKind> &kinds);
+    /// The same: this rank's contributions to the diagonal of the pressures' mass matrix over the viscosity, of full
+    /// length. Collective.
+    void set_masses(const std::vector<double> &contributions);
     /// Values in the order of the pattern. `is_symmetric`: not always so under the option `symmetric`. Collective.
     void set_matrix(const std::vector<double> &values, bool is_symmetric = true);
     /// This rank's contributions to the right-hand side, of full length; summed over ranks. Collective.
@@ -63,6 +83,7 @@ namespace swimtwin
     /// solved for. Replaces the right-hand side. Collective.
     double response_to_load(const std::vector<std::pair<PetscInt, double>> &load);
 
+    bool                      is_iterative() const { return is_iterative_; } ///< once the pattern is set
     const LinearSolverCounts &counts() const { return counts_; }
     void                      set_counts(const LinearSolverCounts &counts) { counts_ = counts; }
     PetscInt                  size() const { return size_; }
@@ -77,24 +98,33 @@ namespace swimtwin
     bool iterate_with_old_factors(const std::vector<double> &guess);
     /// With factors of the matrix as it is, from nothing.
     bool refine();
+    bool solve_by_blocks(const std::vector<double> &guess);
+    bool set_up_blocks();
+    bool iterate_with_blocks(const std::vector<double> &guess);
+    void gather_solution(std::vector<double> &solution);
+    void fill(Vec vector, const std::vector<double> &contributions) const;
+    void set_guess(const std::vector<double> &guess);
     /// Of the solution as it is; leaves the residual behind.
     double residual_norm();
 
-    MPI_Comm            communicator_;
-    LinearSolverOptions options_;
-    LinearSolverCounts  counts_;
-    double              tolerance_  = options_.tolerance;
-    Mat                 matrix_     = nullptr;
-    Vec                 rhs_        = nullptr;
-    Vec                 solution_   = nullptr;
-    Vec                 residual_   = nullptr;
-    Vec                 correction_ = nullptr;
-    Vec                 gathered_   = nullptr;
-    VecScatter          gather_     = nullptr;
-    KSP                 ksp_        = nullptr;
-    PetscInt            size_ = 0, first_row_ = 0, last_row_ = 0;
-    bool                has_factors_ = false, factors_are_old_ = true, factors_are_worn_ = false;
-    bool                matrix_is_symmetric_ = true;
-    int                 solves_with_factors_ = 0, effort_with_factors_ = 0;
+    MPI_Comm                             communicator_;
+    LinearSolverOptions                  options_;
+    LinearSolverCounts                   counts_;
+    double                               tolerance_  = options_.tolerance;
+    Mat                                  matrix_     = nullptr;
+    Vec                                  rhs_        = nullptr;
+    Vec                                  solution_   = nullptr;
+    Vec                                  residual_   = nullptr;
+    Vec                                  correction_ = nullptr;
+    Vec                                  gathered_   = nullptr;
+    VecScatter                           gather_     = nullptr;
+    KSP                                  ksp_        = nullptr;
+    Vec                                  masses_     = nullptr; ///< of pressures
+    KSP                                  block_ksp_  = nullptr;
+    PetscInt                             size_ = 0, first_row_ = 0, last_row_ = 0;
+    std::unique_ptr<BlockPreconditioner> blocks_;
+    bool                                 has_factors_ = false, factors_are_old_ = true, factors_are_worn_ = false;
+    bool                                 matrix_is_symmetric_ = true;
+    int                                  solves_with_factors_ = 0, effort_with_factors_ = 0;
   };
 } // namespace swimtwin

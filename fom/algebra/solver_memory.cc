@@ -32,9 +32,10 @@ namespace swimtwin
     }
   } // namespace
 
-  void require_memory_for_unknowns(const PetscInt n_unknowns, const int dimension, const MPI_Comm communicator)
+  void require_memory_for_unknowns(const PetscInt n_unknowns, const int dimension, const bool iterative,
+                                   const MPI_Comm communicator)
   {
-    const double needed_MB = system_memory_MB(n_unknowns, dimension);
+    const double needed_MB = system_memory_MB(n_unknowns, dimension, iterative);
     if (needed_MB <= largest_so_far_MB)
       return;
     int n_ranks = 1;

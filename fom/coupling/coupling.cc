@@ -87,6 +87,7 @@ namespace swimtwin
     LinearSolverOptions options;
     options.tolerance           = numerics.linear_tolerance;
     options.reuse_factorization = numerics.reuse_factorization;
+    options.method              = numerics.linear_solver;
     options.symmetric           = true; // every system of the form P^T A P here is
     return options;
   }

@@ -119,6 +119,22 @@ namespace swimtwin
   }
 
   template <int dim>
+  std::vector<double> FluidDomain<dim>::pressure_masses() const
+  {
+    const double factor = mirror_pairs_.weight() * pressure_scale_ * pressure_scale_ / scene_.fluid->viscosity_Pa_s;
+    std::vector<double> masses(n_rows(), 0.);
+    for (const auto c : owned_cells_)
+    {
+      map_.reinit(cell_positions<dim>(mesh().cells[c], positions_));
+      for (int v = 0; v <= dim; ++v)
+        for (unsigned int q = 0; q < map_.n_points(); ++q)
+          masses[numbering_.pressure_index(mesh().cells[c][v])] +=
+              factor * map_.weight(q) * map_.linear_value(q, v) * map_.linear_value(q, v);
+    }
+    return masses;
+  }
+
+  template <int dim>
   void FluidDomain<dim>::begin_step(const Bdf2 &bdf)
   {
     if (!terms_.of_fluid())

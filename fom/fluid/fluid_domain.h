@@ -76,6 +76,9 @@ namespace swimtwin
     /// rows at which the convective term is linearised, where there is one.
     void assemble(Condensation<dim> &condensation, double source = 0., const std::vector<double> &iterate = {}) const;
 
+    /// Diagonal of the pressures' mass matrix over the viscosity, of this rank's cells; zero at other rows.
+    std::vector<double> pressure_masses() const;
+
     /// From the rows' values. Collective.
     FluidReaction react(const std::vector<double> &values) const;
     /// The same forces (and divergences at the pressures' rows) for the price of the cells at the swimmer's surface:

@@ -4,6 +4,7 @@
 #include <datasets/scene/inertia_terms.h>
 #include <datasets/scene/mirror_plane.h>
 #include <datasets/surface/closed_surface.h>
+#include <fom/algebra/linear_system.h>
 #include <fom/algebra/solver_memory.h>
 #include <fom/body/mesh_around.h>
 #include <fom/step/full_order_model.h>
@@ -25,9 +26,9 @@ namespace swimtwin
     {
       return dimension == 3 ? 0.35 * std::pow(n_unknowns / 29e3, 1.4) : 0.028 * std::pow(n_unknowns / 7400., 1.2);
     }
-    double memory_MB(const double n_unknowns, const int dimension)
+    double memory_MB(const double n_unknowns, const int dimension, const bool iterative)
     {
-      return process_memory_MB + system_memory_MB(n_unknowns, dimension);
+      return process_memory_MB + system_memory_MB(n_unknowns, dimension, iterative);
     }
     constexpr double iterations_per_step = 1.5;
     /// Largest sizes that were measured: docs/stress.md, and above.
@@ -300,6 +301,20 @@ namespace swimtwin
     }
   } // namespace
 
+  namespace
+  {
+    void plan_solver(const Scene &scene, const bool iterative, RunPlan &plan)
+    {
+      const bool        is_chosen = scene.numerics.linear_solver != LinearSolver::automatic;
+      const std::string why =
+          is_chosen ? std::string("[numerics] linear_solver")
+                    : fmt::format("{} {} unknowns{}", iterative ? "more than" : "at most", unknowns_for_iterations,
+                                  scene.dimension == 3 ? "" : " in space, any number in the plane");
+      plan.solved.push_back(
+          {"linear systems", fmt::format("{}: {}", iterative ? "FGMRES, blocks by physics" : "factors", why)});
+    }
+  } // namespace
+
   RunPlan plan_run(const Scene &scene, const MPI_Comm communicator)
   {
     RunPlan plan;
@@ -317,8 +332,10 @@ namespace swimtwin
       measure<2>(scene, communicator, plan);
     plan.estimated_time_s =
         scene.time.n_steps() * iterations_per_step * seconds_per_iteration(plan.n_unknowns, scene.dimension);
-    plan.estimated_memory_MB = memory_MB(plan.n_unknowns, scene.dimension);
-    plan.is_extrapolated     = plan.n_unknowns > n_unknowns_measured(scene.dimension);
+    const bool iterative     = scene.fluid && iterates(scene.numerics.linear_solver, scene.dimension, plan.n_unknowns);
+    plan.estimated_memory_MB = memory_MB(plan.n_unknowns, scene.dimension, iterative);
+    plan_solver(scene, iterative, plan);
+    plan.is_extrapolated = plan.n_unknowns > n_unknowns_measured(scene.dimension);
     return plan;
   }
 } // namespace swimtwin

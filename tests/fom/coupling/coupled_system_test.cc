@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace swimtwin
 {
   namespace
@@ -52,6 +55,24 @@ namespace swimtwin
       return v;
     }
   } // namespace
+
+  TEST(CoupledSystem, IterationsByBlocksGiveWhatFactorsGive)
+  {
+    const OneStep    factors;
+    BentSwimmer      bent;
+    LinearSystem     solver(MPI_COMM_WORLD, {.tolerance = 1e-11, .symmetric = true, .method = LinearSolver::iterative});
+    CoupledSystem<2> system(bent.swimmer, &bent.fluid, solver, MPI_COMM_WORLD);
+    std::vector<double> unknowns(system.n_unknowns(), 0.);
+    ASSERT_TRUE(system.solve({bent.configuration, bent.rates, 0.01, OneStep::time_s}, unknowns));
+    double largest = 0., off = 0.;
+    for (std::size_t i = 0; i < unknowns.size(); ++i)
+    {
+      largest = std::max(largest, std::abs(factors.unknowns[i]));
+      off     = std::max(off, std::abs(unknowns[i] - factors.unknowns[i]));
+    }
+    EXPECT_LT(off, 1e-7 * largest);
+    EXPECT_LT(solver.counts().n_iterations, 100);
+  }
 
   // Beside the head's rotation the tail's velocities are those of its shape, which alone its energy depends on.
   TEST(CoupledSystem, MatrixIsSymmetricHoweverTheTailIsStressed)
