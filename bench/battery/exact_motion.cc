@@ -15,20 +15,21 @@ namespace swimtwin
 {
   namespace
   {
-    struct Load
+    struct ReducedLoad
     {
       Eigen::VectorXd force;
       Eigen::MatrixXd slope; ///< by the state's angle and shape; zero rows and columns for the place
     };
 
-    Load load(const ReducedSwimmer &swimmer, const Eigen::VectorXd &state, const RunParameters &p, const double phase)
+    ReducedLoad load(const ReducedSwimmer &swimmer, const Eigen::VectorXd &state, const RunParameters &p,
+                     const double phase)
     {
       const int             n = swimmer.n_states(), r = swimmer.n_modes();
       const ShapeVector     q = state.tail(r);
       const double          s = std::sin(state[2]), c = std::cos(state[2]);
       const double          by = p.by_T * std::sin(2. * std::numbers::pi * phase);
       const Eigen::Vector2d m  = swimmer.moment(q, {p.young_modulus_Pa, p.viscosity_Pa_s, p.magnetization_A_m, 0.});
-      Load                  load{Eigen::VectorXd::Zero(n), Eigen::MatrixXd::Zero(n, n)};
+      ReducedLoad           load{Eigen::VectorXd::Zero(n), Eigen::MatrixXd::Zero(n, n)};
       load.force[2]                      = m.x() * (c * by - s * p.bx_T);
       load.slope(2, 2)                   = -m.x() * (s * by + c * p.bx_T);
       load.force.tail(r)                 = -p.young_modulus_Pa * swimmer.energy().gradient(q);
@@ -109,7 +110,7 @@ namespace swimtwin
         Eigen::VectorXd at = next;
         for (int newton = 0; newton < 20; ++newton)
         {
-          const Load            f        = load(reduced_, at, p, static_cast<double>(k) / n);
+          const ReducedLoad     f        = load(reduced_, at, p, static_cast<double>(k) / n);
           const Eigen::VectorXd residual = f.force - R * velocity;
           const Eigen::VectorXd update   = (R - c * f.slope).partialPivLu().solve(residual);
           velocity += update;

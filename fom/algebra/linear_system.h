@@ -124,7 +124,7 @@ namespace swimtwin
     PetscInt                             size_ = 0, first_row_ = 0, last_row_ = 0;
     std::unique_ptr<BlockPreconditioner> blocks_;
     bool                                 has_factors_ = false, factors_are_old_ = true, factors_are_worn_ = false;
-    bool                                 matrix_is_symmetric_ = true;
+    bool                                 matrix_is_symmetric_ = true, is_iterative_ = false;
     int                                  solves_with_factors_ = 0, effort_with_factors_ = 0;
   };
 } // namespace swimtwin
