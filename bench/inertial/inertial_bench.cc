@@ -130,27 +130,6 @@ namespace swimtwin
         fmt::print("{}: {:.2f} % rms, {:.2f} % worst of {:.0f}\n", what, std::sqrt(sum[1] / sum[0]), sum[2], sum[0]);
     }
 
-    void trace(const std::string &file, const std::string &terms)
-    {
-      const ReducedModel   model = read_reduced_model(file);
-      const Scene          scene = scene_of(model);
-      const ReducedSwimmer swimmer(model, densities_of(scene, terms));
-      RunRequest           request         = sweep_options(scene, model).base;
-      request.parameters.magnetization_A_m = 1e5;
-      request.drive.frequency_Hz           = .8;
-      request.initial_state                = state_at_rest(swimmer);
-      request.samples_per_period           = 100;
-      SwimmerIntegrator integrator(swimmer, {});
-      const SwimmerRun  run = integrator.run(request);
-      for (const auto &snapshot : run.snapshots)
-      {
-        fmt::print("{}", snapshot.phase);
-        for (const double value : snapshot.state)
-          fmt::print(",{}", value);
-        fmt::print("\n");
-      }
-    }
-
     void time(const std::string &file)
     {
       const ReducedModel model = read_reduced_model(file);
@@ -197,8 +176,6 @@ int main(int argc, char **argv)
                                    words.size() > 4 && words[4] == "angle");
     else if (words.size() == 3 && words[0] == "compare")
       swimtwin::compare(words[1], words[2]);
-    else if (words.size() == 3 && words[0] == "trace")
-      swimtwin::trace(words[1], words[2]);
     else if (words.size() == 2 && words[0] == "time")
       swimtwin::time(words[1]);
     else

@@ -64,7 +64,7 @@ mesh_size_far_m = 0.5
 mesh_growth = 0.4
 )";
 
-    ResistanceResult<3> resistance(const Scene &scene)
+    ResistanceResult<3> resistance_of_surface(const Scene &scene)
     {
       const Swimmer<3> swimmer(scene, MPI_COMM_WORLD);
       return compute_resistance(swimmer, swimmer.configuration_at_rest(), MPI_COMM_WORLD);
@@ -103,9 +103,9 @@ mesh_growth = 0.4
     /// Largest errors of drag and torque over the three directions; all elements are `factor` times smaller.
     std::array<double, 2> errors_of_sphere(const int n, const bool is_curved, const double factor = 1.)
     {
-      const auto result = resistance(scene_with(body_in_sphere, example_sphere(n, 1., is_curved),
-                                                {override_entry("numerics.mesh_size_far_m", .8 / factor),
-                                                 override_entry("numerics.mesh_growth", .4 / factor)}));
+      const auto result = resistance_of_surface(scene_with(body_in_sphere, example_sphere(n, 1., is_curved),
+                                                           {override_entry("numerics.mesh_size_far_m", .8 / factor),
+                                                            override_entry("numerics.mesh_growth", .4 / factor)}));
       double     drag = 0., torque = 0.;
       for (int c = 0; c < 3; ++c)
       {
@@ -174,9 +174,9 @@ mesh_growth = 0.4
         for (int j = 0; j < 3; ++j)
           turned.points[p][i] += s * Q(i, j) * body.points[p][j];
       }
-    const auto at_first  = resistance(scene_with(body_in_sphere, body)).matrix,
-               as_turned = resistance(scene_with(body_in_sphere, turned,
-                                                 {"domain.radius_m=5.0", "numerics.mesh_size_far_m=1.6"}))
+    const auto at_first  = resistance_of_surface(scene_with(body_in_sphere, body)).matrix,
+               as_turned = resistance_of_surface(scene_with(body_in_sphere, turned,
+                                                            {"domain.radius_m=5.0", "numerics.mesh_size_far_m=1.6"}))
                                .matrix;
     for (int i = 0; i < 6; ++i)
       for (int j = 0; j < 6; ++j)
@@ -192,10 +192,10 @@ mesh_growth = 0.4
 
   TEST(SurfaceWalls, BoxFromASurfaceIsTheBox)
   {
-    const auto        known = resistance(parse_scene(sphere_in_box, "box.toml"));
+    const auto        known = resistance_of_surface(parse_scene(sphere_in_box, "box.toml"));
     const std::string walls = "domain={shape=\"surface\", surface=\"surface.msh\", surface_unit_m=1.0}";
     const Scene       scene = scene_with(sphere_in_box, example_box({4., 3., 3.}, 6), {walls});
-    const auto        read  = resistance(scene);
+    const auto        read  = resistance_of_surface(scene);
     ASSERT_EQ(read.matrix.m(), 6u);
     const int place[3] = {0, 1, 5}; // of what the half knows
     for (int i = 0; i < 3; ++i)

@@ -16,7 +16,7 @@ namespace swimtwin
   namespace
   {
     using namespace dealii;
-    constexpr double pi = std::numbers::pi;
+    using std::numbers::pi;
 
     std::vector<std::string> coarse_sphere(std::vector<std::string> more = {})
     {
