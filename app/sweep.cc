@@ -23,6 +23,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 namespace swimtwin
@@ -107,7 +108,12 @@ namespace swimtwin
     InertiaTerms terms_of(const SweepCommand &command, const Scene &scene, const ReducedModel &model,
                           const InertialExtreme &extreme)
     {
-      if (!model.inertia.is_given() && command.inertia != "full") // which is refused
+      if (!model.inertia.is_given() && command.inertia == "full")
+        throw InputError(
+            fmt::format("--inertia full: {} was trained without inertia; train it again with [fluid] inertia "
+                        "= \"auto\" or \"full\", or leave --inertia out.",
+                        command.model));
+      if (!model.inertia.is_given())
         return {};
       const InertiaTerms terms = inertia_terms(scene, extreme.shares(scene));
       if (scene.fluid->inertia == Inertia::automatic && terms.any())
@@ -246,6 +252,21 @@ namespace swimtwin
       return setup;
     }
 
+    /// What carrying inertia leaves, on top of the error that runs without inertia had.
+    void add_error_of_inertia(const ReducedModel &model, const Scene &scene, std::vector<SweepResult> &results)
+    {
+      for (SweepResult &r : results)
+      {
+        const auto &[parameters, bx, by, frequency] = r.member;
+        const double share =
+            inertia_shares(scene, frequency, parameters.viscosity_Pa_s, parameters.young_modulus_Pa).together();
+        r.error_95_m +=
+            std::abs(r.displacement_m) *
+            error_of_carried_inertia(share, unsteady_group_of_domain(scene, frequency, parameters.viscosity_Pa_s));
+        note_error_bound(model.record, r.error_95_m, r.displacement_m, r.trust);
+      }
+    }
+
     void sweep_in_folder(const SweepCommand &command, const SweepAxes &axes, SweepSetup &setup)
     {
       auto &[model, scene, options, record] = setup;
@@ -260,8 +281,10 @@ namespace swimtwin
       options.on_progress    = [&](const std::size_t done) {
         bar.show(static_cast<int>(done), n_members, static_cast<int>(done), wall_time_s() - start);
       };
-      const std::vector<SweepResult> results = sweep(model, axes, options);
-      record.wall_time_s                     = wall_time_s() - start;
+      std::vector<SweepResult> results = sweep(model, axes, options);
+      record.wall_time_s               = wall_time_s() - start;
+      if (options.densities.any())
+        add_error_of_inertia(model, scene, results);
       for (const SweepResult &result : results)
         record.cpu_time_s += result.cpu_time_s;
       for (const std::string &doubt : doubts(results))

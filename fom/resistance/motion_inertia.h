@@ -28,7 +28,8 @@ namespace swimtwin
     std::vector<dealii::FullMatrix<double>> mass_slopes; ///< dM along each motion of unit velocity
 
     /// What the rate of kinetic energy leaves of the quadratic forces: quadratic less half of dM/dt xi. Its power
-    /// xi . remainder vanishes for flows without outflow, and is taken off: it comes from the discretisation.
+    /// xi . remainder vanishes for flows without outflow, and is taken off: it comes from the discretisation, and from
+    /// what leaves through open walls.
     std::vector<dealii::FullMatrix<double>> powerless() const;
     /// That power's size, relative to the quadratic forces' (largest entries).
     double power_defect() const;

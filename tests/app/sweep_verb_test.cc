@@ -141,6 +141,12 @@ namespace swimtwin
     expect_in(sweep({"--frequency", "4", "--quiet", "--force"}).errors, "neglects inertia");
   }
 
+  TEST_F(SweepVerb, RefusesInertiaOfAModelThatHasNone)
+  {
+    expect_refusal(sweep({"--inertia", "full"}), "was trained without inertia");
+    EXPECT_EQ(sweep({"--inertia", "none", "--quiet"}).code, 0);
+  }
+
   TEST_F(SweepVerb, RefusesBadOptionsWithTheirNames)
   {
     expect_refusal(sweep({"--frequency", "3:0.1:60"}), "--frequency 3:0.1:60: the range");
