@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace swimtwin
 {
@@ -27,6 +28,7 @@ namespace swimtwin
 
   double error_of_carried_inertia(const double share, const double unsteady_group_of_domain)
   {
-    return 0.04 * share * std::max(1., unsteady_group_of_domain);
+    constexpr double carried_well = 4.; // group up to which the second order does not show
+    return 0.04 * share * std::max(1., std::pow(unsteady_group_of_domain / carried_well, 2));
   }
 } // namespace swimtwin
