@@ -201,18 +201,23 @@ namespace swimtwin
     return has_factors_;
   }
 
+  bool LinearSystem::iterate(const KSP ksp)
+  {
+    check_petsc(KSPSolve(ksp, rhs_, solution_), "solved");
+    PetscInt           iterations;
+    KSPConvergedReason reason;
+    check_petsc(KSPGetIterationNumber(ksp, &iterations), "solved");
+    check_petsc(KSPGetConvergedReason(ksp, &reason), "solved");
+    note_effort(iterations);
+    return reason > 0;
+  }
+
   bool LinearSystem::iterate_with_blocks(const std::vector<double> &guess)
   {
     const ScopedCpuTime time(counts_.solve_cpu_s);
     set_guess(guess);
     check_petsc(KSPSetTolerances(block_ksp_, tolerance_, 1e-300, 1e10, most_block_iterations), "set up a solver");
-    check_petsc(KSPSolve(block_ksp_, rhs_, solution_), "solved");
-    PetscInt           iterations;
-    KSPConvergedReason reason;
-    check_petsc(KSPGetIterationNumber(block_ksp_, &iterations), "solved");
-    check_petsc(KSPGetConvergedReason(block_ksp_, &reason), "solved");
-    note_effort(iterations);
-    return reason > 0;
+    return iterate(block_ksp_);
   }
 
   bool LinearSystem::solve_by_blocks(const std::vector<double> &guess)
@@ -286,13 +291,7 @@ namespace swimtwin
     check_petsc(KSPSetTolerances(ksp_, (has_guess ? 1e-3 : 1.) * tolerance_,
                                  has_guess ? tolerance_ * guess_norm : 1e-300, 1e10, options_.max_stale_iterations),
                 "set up a solver");
-    check_petsc(KSPSolve(ksp_, rhs_, solution_), "solved");
-    PetscInt           iterations;
-    KSPConvergedReason reason;
-    check_petsc(KSPGetIterationNumber(ksp_, &iterations), "solved");
-    check_petsc(KSPGetConvergedReason(ksp_, &reason), "solved");
-    note_effort(iterations);
-    return reason > 0;
+    return iterate(ksp_);
   }
 
   double LinearSystem::residual_norm()

@@ -95,6 +95,8 @@ namespace swimtwin
     bool factorize();
     bool set_up_factors();
     bool set_up_factors_in_larger_workspace();
+    /// From the solution as it is, to the tolerances of this solver.
+    bool iterate(KSP ksp);
     bool iterate_with_old_factors(const std::vector<double> &guess);
     /// With factors of the matrix as it is, from nothing.
     bool refine();
