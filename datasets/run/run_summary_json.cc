@@ -16,6 +16,7 @@ namespace swimtwin
     visit("dissipated_J_m", v.dissipated_J_m);
     visit("stored_J_m", v.stored_J_m);
     visit("outflow_J_m", v.outflow_J_m);
+    visit("stabilization_J_m", v.stabilization_J_m);
     visit("numerical_J_m", v.numerical_J_m);
   }
 
@@ -112,7 +113,7 @@ namespace swimtwin
         if (!json_.contains(key))
           return;
         Json padded = {{key, json_.at(key)}};
-        for (const char *later : {"outflow_J_m", "numerical_J_m"})
+        for (const char *later : {"outflow_J_m", "stabilization_J_m", "numerical_J_m"})
           if (padded[key].is_object() && !padded[key].contains(later))
             padded[key][later] = 0.;
         JsonObject(file_, padded).operator()<std::optional<WorkBalance>>(key, value);

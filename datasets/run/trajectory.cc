@@ -21,15 +21,16 @@ namespace swimtwin
       std::variant<double TrajectoryRow::*, int TrajectoryRow::*, bool TrajectoryRow::*> member;
       enum class Place {
         everywhere,
-        everywhere_now, ///< may be missing in tables of earlier versions
+        everywhere_now,   ///< may be missing in tables of earlier versions
+        where_stabilized, ///< written if a row has it
         in_space,
         out_of_plane ///< in space, where motions leave the plane of x and y
       } place = Place::everywhere;
     };
-    constexpr auto everywhere_now = Column::Place::everywhere_now, in_space = Column::Place::in_space,
-                   out_of_plane = Column::Place::out_of_plane;
+    constexpr auto everywhere_now = Column::Place::everywhere_now, where_stabilized = Column::Place::where_stabilized,
+                   in_space = Column::Place::in_space, out_of_plane = Column::Place::out_of_plane;
 
-    const std::array<Column, 38> columns{{
+    const std::array<Column, 39> columns{{
         {"time_s", &TrajectoryRow::time_s},
         {"head_x_m", &TrajectoryRow::head_x_m},
         {"head_y_m", &TrajectoryRow::head_y_m},
@@ -46,6 +47,7 @@ namespace swimtwin
         {"kinetic_energy_J_m", &TrajectoryRow::kinetic_energy_J_m, everywhere_now},
         {"kinetic_outflow_W_m", &TrajectoryRow::kinetic_outflow_W_m, everywhere_now},
         {"kinetic_growth_W_m", &TrajectoryRow::kinetic_growth_W_m, everywhere_now},
+        {"stabilization_W_m", &TrajectoryRow::stabilization_W_m, where_stabilized},
         {"head_force_x_N_m", &TrajectoryRow::head_force_x_N_m},
         {"head_force_y_N_m", &TrajectoryRow::head_force_y_N_m},
         {"head_torque_N", &TrajectoryRow::head_torque_N},
@@ -78,6 +80,12 @@ namespace swimtwin
     bool leaves_plane(const Trajectory &trajectory)
     {
       return std::any_of(trajectory.begin(), trajectory.end(), [](const TrajectoryRow &row) { return row.bz_T != 0.; });
+    }
+
+    bool is_stabilized(const Trajectory &trajectory)
+    {
+      return std::any_of(trajectory.begin(), trajectory.end(),
+                         [](const TrajectoryRow &row) { return row.stabilization_W_m != 0.; });
     }
 
     /// The name of a column in three dimensions: forces, powers and energies are whole, not per depth.
@@ -188,9 +196,10 @@ namespace swimtwin
   {
     require_finite_numbers(file, trajectory);
     std::vector<CsvColumn<TrajectoryRow>> cells;
-    const bool                            is_planar = !leaves_plane(trajectory);
+    const bool is_planar = !leaves_plane(trajectory), has_stabilization = is_stabilized(trajectory);
     for (const Column &column : columns)
-      if (!(dimension == 2 && is_spatial(column)) && !(is_planar && column.place == out_of_plane))
+      if (!(dimension == 2 && is_spatial(column)) && !(is_planar && column.place == out_of_plane) &&
+          (has_stabilization || column.place != where_stabilized))
         cells.push_back({dimension == 3 ? name_in_space(column) : column.name,
                          [&column](const TrajectoryRow &row) { return value_of(row, column); }});
     csv_table(cells, trajectory).save(file);

@@ -24,6 +24,7 @@ namespace swimtwin
     double kinetic_outflow_W_m = 0.; ///< kinetic energy that leaves the domain with the fluid
     double kinetic_growth_W_m =
         0.; ///< power on inertia in the time step; what of it is not stored is numerical dissipation
+    double stabilization_W_m = 0.; ///< dissipated to keep streams smooth where cells are too large
     double head_force_x_N_m = 0., head_force_y_N_m = 0.,
            head_torque_N     = 0.; ///< that hold a fixed head in place, or drive a prescribed one; else 0
     double fluid_force_x_N_m = 0., fluid_force_y_N_m = 0.,
@@ -50,11 +51,15 @@ namespace swimtwin
   struct WorkBalance
   {
     double magnetic_J_m = 0., external_J_m = 0., dissipated_J_m = 0.;
-    double stored_J_m    = 0.; ///< gain of elastic and kinetic energy
-    double outflow_J_m   = 0.; ///< kinetic energy that left with the fluid
-    double numerical_J_m = 0.; ///< that the time steps took from inertia: it is part of what is missing
+    double stored_J_m        = 0.; ///< gain of elastic and kinetic energy
+    double outflow_J_m       = 0.; ///< kinetic energy that left with the fluid
+    double stabilization_J_m = 0.; ///< dissipated by what keeps streams smooth
+    double numerical_J_m     = 0.; ///< that the time steps took from inertia: it is part of what is missing
 
-    double missing_J_m() const { return magnetic_J_m + external_J_m - dissipated_J_m - outflow_J_m - stored_J_m; }
+    double missing_J_m() const
+    {
+      return magnetic_J_m + external_J_m - dissipated_J_m - stabilization_J_m - outflow_J_m - stored_J_m;
+    }
     /// What it is compared with: the magnetic work, or the dissipation where the field does none (below round-off of
     /// the dissipation). Zero: there is nothing to balance.
     double                scale_J_m() const;

@@ -35,6 +35,7 @@ namespace swimtwin
       const TrajectoryRow &a = rows[i - 1], &b = rows[i];
       const double         half_step_s = 0.5 * (b.time_s - a.time_s);
       balance.outflow_J_m += half_step_s * (b.kinetic_outflow_W_m + a.kinetic_outflow_W_m);
+      balance.stabilization_J_m += half_step_s * (b.stabilization_W_m + a.stabilization_W_m);
       balance.numerical_J_m += half_step_s * (b.kinetic_growth_W_m + a.kinetic_growth_W_m);
       if (i <= first_intervals.size())
       {

@@ -1,5 +1,6 @@
 #include <fom/coupling/coupling.h>
 
+#include <datasets/scene/inertia_terms.h>
 #include <fom/coupling/fixed_point_coupling.h>
 #include <fom/coupling/monolithic_coupling.h>
 
@@ -49,8 +50,12 @@ namespace swimtwin
     case StepOutcome::unstable_equilibrium:
       return "raise [time] steps_per_period or [numerics] max_step_halvings, or check magnetization_A_m and the field";
     case StepOutcome::coupling_diverged:
-      return "raise [time] steps_per_period, or check that the field, magnetization_A_m and young_modulus_Pa are what "
-             "you meant";
+      return std::string(
+                 "raise [time] steps_per_period, or check that the field, magnetization_A_m and young_modulus_Pa "
+                 "are what you meant") +
+             (scene.fluid && inertia_terms(scene).of_fluid()
+                  ? "; swimtwin plan says whether cells and steps are small enough for the flow's speed"
+                  : "");
     default:
       return "refine [numerics] mesh_size_m, or check that the scene's values are what you meant";
     }

@@ -238,6 +238,8 @@ namespace swimtwin
           add_linearized_convection<dim>(map_, inertia, flow, K, load);
         else
           add_convection_as_load<dim>(map_, inertia, flow, load);
+        if (const auto needed = stabilization(flow))
+          needed->add(map_, K);
       }
       condensation.add(k, K, load);
     }
@@ -248,7 +250,7 @@ namespace swimtwin
                                              const std::vector<double>       &values) const
   {
     constexpr unsigned int n_velocity = n_cell_nodes<dim> * dim;
-    FluidReaction          sum{std::vector<double>(n_rows(), 0.), 0., 0., {}};
+    FluidReaction          sum{std::vector<double>(n_rows(), 0.), 0., 0., 0., {}};
     FluidCellMatrix<dim>   K;
     for (const auto c : cells)
     {
@@ -256,7 +258,12 @@ namespace swimtwin
       stokes_cell_matrix<dim>(map_, scene_.fluid->viscosity_Pa_s, pressure_scale_, K);
       std::array<double, n_fluid_cell_dofs<dim>> inertial{};
       if (slope_weight_ > 0.)
-        add_inertial_forces<dim>(map_, step_inertia(), cell_flow(c, values), inertial, sum.kinetic);
+      {
+        const CellFlow<dim> flow = cell_flow(c, values);
+        add_inertial_forces<dim>(map_, step_inertia(), flow, inertial, sum.kinetic);
+        if (const auto needed = stabilization(flow))
+          sum.stabilization += needed->add_forces(map_, flow, inertial);
+      }
       const auto rows = cell_rows(c);
       for (unsigned int i = 0; i < rows.size(); ++i)
       {
@@ -274,7 +281,8 @@ namespace swimtwin
     }
     Utilities::MPI::sum(sum.force, mesh().communicator(), sum.force);
     mirror_pairs_.complete(sum.force, numbering_);
-    for (double *power : {&sum.dissipation, &sum.kinetic.energy, &sum.kinetic.growth, &sum.kinetic.outflow})
+    for (double *power :
+         {&sum.dissipation, &sum.stabilization, &sum.kinetic.energy, &sum.kinetic.growth, &sum.kinetic.outflow})
       *power = mirror_pairs_.weight() * Utilities::MPI::sum(*power, mesh().communicator());
     return sum;
   }

@@ -9,6 +9,7 @@
 #include <fom/fluid/fluid_inertia.h>
 #include <fom/fluid/fluid_motion.h>
 #include <fom/fluid/mesh_motion.h>
+#include <fom/fluid/streamline_stabilization.h>
 #include <fom/mesh/fluid_mesh.h>
 
 #include <memory>
@@ -19,8 +20,9 @@ namespace swimtwin
   struct FluidReaction
   {
     std::vector<double> force; ///< of every row on the fluid: the residual of the weak form, never a boundary integral
-    double              dissipation = 0.; ///< 2 mu D:D integrated (W)
-    double              wall_power  = 0.; ///< of moving walls and inflows on the fluid (W)
+    double              dissipation   = 0.; ///< 2 mu D:D integrated (W)
+    double              wall_power    = 0.; ///< of moving walls and inflows on the fluid (W)
+    double              stabilization = 0.; ///< what the streams' stabilisation dissipates (W)
     KineticPowers       kinetic;
   };
 
@@ -96,6 +98,11 @@ namespace swimtwin
     LinearSolverCounts mesh_motion_counts() const { return extension_ ? extension_->counts() : LinearSolverCounts(); }
 
   private:
+    /// What a cell's convection needs at a flow; none for most.
+    std::optional<StreamlineStabilization<dim>> stabilization(const CellFlow<dim> &flow) const
+    {
+      return StreamlineStabilization<dim>::of(map_, step_inertia(), flow, scene_.fluid->viscosity_Pa_s);
+    }
     /// Sum up the forces and powers of some cells and of those they stand for, over all ranks. Collective.
     FluidReaction sum_forces(const std::vector<unsigned int> &cells, const std::vector<double> &values) const;
     CellFlow<dim> cell_flow(unsigned int cell, const std::vector<double> &values) const;

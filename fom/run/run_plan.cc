@@ -78,8 +78,8 @@ namespace swimtwin
       if (const double cell = fluid.density_kg_m3 * speed * scene.numerics.mesh_size_far_m / fluid.viscosity_Pa_s;
           cell > largest_cell_reynolds_number)
         plan.warnings.push_back(
-            fmt::format("the Reynolds number of a cell is up to {:.3g}: above {:g} the flow may oscillate "
-                        "from cell to cell; lower [numerics] mesh_size_far_m = {:g} m",
+            fmt::format("the Reynolds number of a cell is up to {:.3g}: above {:g} a dissipation that costs accuracy "
+                        "keeps the flow smooth; lower [numerics] mesh_size_far_m = {:g} m",
                         cell, largest_cell_reynolds_number, scene.numerics.mesh_size_far_m));
       if (const double way = speed * scene.time.time_step_s() / L; !scene.time.is_steady && way > largest_way_per_step)
         plan.warnings.push_back(

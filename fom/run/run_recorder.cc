@@ -94,6 +94,7 @@ namespace swimtwin
     row.kinetic_energy_J_m  = balance.kinetic_energy;
     row.kinetic_outflow_W_m = balance.kinetic_outflow;
     row.kinetic_growth_W_m  = balance.kinetic_growth;
+    row.stabilization_W_m   = balance.stabilization;
     row.head_force_x_N_m    = holding.force[0];
     row.head_force_y_N_m    = holding.force[1];
     row.head_torque_N       = holding.torque[2];

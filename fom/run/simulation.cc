@@ -190,11 +190,27 @@ namespace swimtwin
       std::vector<std::string> warnings(const std::vector<WorkBalance> &balances) const
       {
         std::vector<std::string> result;
-        for (const std::string &warning :
-             {inertia_warning(scene_), symmetry_warning(scene_), open_balance_warning(balances)})
+        for (const std::string &warning : {inertia_warning(scene_), symmetry_warning(scene_),
+                                           stabilization_warning(balances), open_balance_warning(balances)})
           if (!warning.empty())
             result.push_back(warning);
         return result;
+      }
+
+      /// Empty if the mesh resolves the flow.
+      static std::string stabilization_warning(const std::vector<WorkBalance> &balances)
+      {
+        constexpr double noticed = 0.01;
+        double           largest = 0.;
+        for (const WorkBalance &period : balances)
+          if (period.dissipated_J_m > 0.)
+            largest = std::max(largest, period.stabilization_J_m / period.dissipated_J_m);
+        if (largest < noticed)
+          return {};
+        return fmt::format(
+            "the mesh is too coarse for the flow's Reynolds number: what keeps the flow smooth dissipates "
+            "{:.2g} % of what the viscosity does; lower [numerics] mesh_size_m and mesh_size_far_m",
+            100. * largest);
       }
 
       /// Empty if the balance closes as well as can be expected of the steps.

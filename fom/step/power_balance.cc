@@ -122,6 +122,7 @@ namespace swimtwin
       balance.kinetic_energy       = reaction.kinetic.energy;
       balance.kinetic_outflow      = reaction.kinetic.outflow;
       balance.kinetic_growth       = reaction.kinetic.growth;
+      balance.stabilization        = reaction.stabilization;
       for (unsigned int k = 0; k < swimmer.n_surface_nodes(); ++k)
         for (int c = 0; c < dim; ++c)
           balance.surface_force.push_back(reaction.force[fluid->surface_row(k, c)]);

@@ -21,6 +21,7 @@ namespace swimtwin
     double              drive           = 0.; ///< of what gives the head or the shape a prescribed motion
     double              kinetic_energy  = 0.;
     double              kinetic_outflow = 0.; ///< kinetic energy that the fluid carries out of the domain
+    double              stabilization   = 0.; ///< what keeps streams smooth on a coarse mesh dissipates
     double              kinetic_growth = 0.; ///< power of the inertia as the time step has it; the energy grows by less
     Load                load_of_fluid;       ///< on the body
     Load                load_that_holds_head; ///< zero for a free head, with its own inertia for a driven one

@@ -60,7 +60,8 @@ namespace swimtwin
   std::vector<IntervalPower> interval_powers(const Rows rows)
   {
     const auto net_power_W_m = [](const TrajectoryRow &row) {
-      return row.magnetic_power_W_m + row.external_power_W_m - row.dissipation_W_m - row.kinetic_outflow_W_m;
+      return row.magnetic_power_W_m + row.external_power_W_m - row.dissipation_W_m - row.stabilization_W_m -
+             row.kinetic_outflow_W_m;
     };
     std::vector<IntervalPower> powers;
     for (std::size_t i = 1; i < rows.size(); ++i)

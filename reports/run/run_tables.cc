@@ -75,6 +75,7 @@ namespace swimtwin
             {row("magnetic work", balance.magnetic_J_m),
              row("work of gravity, walls and inflows", balance.external_J_m),
              row("viscous dissipation", balance.dissipated_J_m),
+             row("dissipation by the stabilisation of streams", balance.stabilization_J_m),
              row("gain of elastic and kinetic energy", balance.stored_J_m),
              row("kinetic energy that left with the fluid", balance.outflow_J_m), row("missing", balance.missing_J_m()),
              row("of this taken by the time steps from inertia", balance.numerical_J_m)}};

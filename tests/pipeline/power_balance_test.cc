@@ -54,6 +54,22 @@ namespace swimtwin
     expect_in(content(folder.path / "run/summary.json"), "the power balance is open by");
   }
 
+  // Cells of Reynolds number 1600: without stabilisation the coupling fails at 0.67 s.
+  TEST(PowerBalanceOfARun, CountsWhatKeepsStreamsSmoothAndWarnsOfIt)
+  {
+    const TemporaryFolder folder;
+    const Outcome         outcome = simulate({"cfd3",
+                                              {"variant=quick", "fluid.viscosity_Pa_s=0.1", "time.duration_s=0.8",
+                                               "time.steps=160", "domain.walls.left.ramp_s=0.3"}},
+                                             folder.path, {"--quiet"});
+    expect_in(outcome.err, "the mesh is too coarse for the flow's Reynolds number");
+    expect_in(outcome.err, "lower [numerics] mesh_size_m and mesh_size_far_m");
+    const WorkBalance balance = read_motion(folder.path).summary.work_of_last_period.value();
+    EXPECT_GT(balance.stabilization_J_m, 0.1 * balance.dissipated_J_m);
+    EXPECT_NEAR(balance.missing_J_m(), balance.numerical_J_m, 0.01 * balance.dissipated_J_m);
+    expect_in(content(folder.path / "trajectory.csv"), "stabilization_W_m");
+  }
+
   TEST(ShortRun, HasNoFiguresOfAPeriod)
   {
     const TemporaryFolder folder;
