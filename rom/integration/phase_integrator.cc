@@ -70,19 +70,17 @@ namespace swimtwin
         solver_(sundials::made(SUNLinSol_Dense(state_.get(), matrix_.get(), context_.get()))),
         integrator_(sundials::made(CVodeCreate(CV_BDF, context_.get())))
   {
-    const double rtol = options_.relative_tolerance;
-    void        *cv   = integrator_.get();
+    void *cv = integrator_.get();
     N_VConst(0., state_.get());
-    sundials::values(tolerance_.get()) = rtol * state_scale(swimmer);
     CVodeSetErrHandlerFn(cv, sundials::ignore_message, nullptr);
     CVodeInit(cv, on_rate, 0., state_.get());
     CVodeSetUserData(cv, &equations_);
-    CVodeSVtolerances(cv, rtol, tolerance_.get());
     CVodeSetLinearSolver(cv, solver_.get(), matrix_.get());
     CVodeSetJacFn(cv, on_jacobian);
-    CVodeSetMaxOrd(cv, max_order(rtol));
+    CVodeSetMaxOrd(cv, max_order(options_.relative_tolerance));
     CVodeSetNonlinConvCoef(cv, newton_tolerance);
     CVodeSetMaxStep(cv, options_.max_step_periods);
+    set_tolerances(1.);
     if (equations_.n_parameters() > 0)
       set_up_sensitivities();
     if (options_.with_work)
@@ -99,12 +97,23 @@ namespace swimtwin
   {
     void *cv       = integrator_.get();
     sensitivities_ = sundials::made(N_VCloneVectorArray(equations_.n_parameters(), state_.get()));
-    std::vector<N_Vector> tolerances(static_cast<std::size_t>(equations_.n_parameters()), tolerance_.get());
     for (int i = 0; i < equations_.n_parameters(); ++i)
       N_VConst(0., sensitivities_[i]);
     CVodeSensInit(cv, equations_.n_parameters(), CV_STAGGERED, on_sensitivities, sensitivities_);
-    CVodeSensSVtolerances(cv, options_.relative_tolerance, tolerances.data());
+    set_tolerances(1.);
     CVodeSetSensErrCon(cv, options_.control_sensitivity_errors);
+  }
+
+  /// Of a motion with inertia those of the velocities depend on the period.
+  void PhaseIntegrator::set_tolerances(const double frequency_Hz)
+  {
+    const double rtol                  = options_.relative_tolerance;
+    sundials::values(tolerance_.get()) = rtol * state_scale(equations_.swimmer(), frequency_Hz);
+    CVodeSVtolerances(integrator_.get(), rtol, tolerance_.get());
+    if (sensitivities_ == nullptr)
+      return;
+    std::vector<N_Vector> tolerances(static_cast<std::size_t>(equations_.n_parameters()), tolerance_.get());
+    CVodeSensSVtolerances(integrator_.get(), rtol, tolerances.data());
   }
 
   void PhaseIntegrator::set_up_work()
@@ -122,6 +131,8 @@ namespace swimtwin
     flag_    = CV_SUCCESS;
     state()  = request.initial_state;
     CVodeReInit(integrator_.get(), 0., state_.get());
+    if (equations_.swimmer().has_inertia())
+      set_tolerances(request.drive.frequency_Hz);
     if (sensitivities_ != nullptr)
       start_sensitivities();
     if (options_.with_work)

@@ -45,6 +45,7 @@ namespace swimtwin
 
   private:
     void set_up_sensitivities();
+    void set_tolerances(double frequency_Hz);
     void set_up_work();
     void start_sensitivities();
     void start_work();

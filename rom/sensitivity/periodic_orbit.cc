@@ -3,6 +3,7 @@
 #include <rom/swimmer/area_constraint.h>
 #include <rom/swimmer/dense_algebra.h>
 #include <rom/swimmer/head_frame.h>
+#include <rom/swimmer/state_scale.h>
 
 #include <fmt/format.h>
 
@@ -92,6 +93,14 @@ namespace swimtwin
     return units;
   }
 
+  /// Velocities count as they do in the integration's tolerances.
+  double PeriodicOrbitFinder::change(const Eigen::VectorXd &start, const Eigen::VectorXd &end) const
+  {
+    Eigen::VectorXd difference = end - start;
+    difference.tail(difference.size() - 1 - swimmer_.n_modes()) /= looser_velocity;
+    return difference.norm();
+  }
+
   PeriodicOrbitFinder::PeriodMap PeriodicOrbitFinder::map(const Eigen::VectorXd &start, SwimmerIntegrator &integrator)
   {
     request_.initial_state = state_of(start);
@@ -146,7 +155,7 @@ namespace swimtwin
     orbit.floquet_multipliers.assign(lambda.begin(), lambda.end());
     orbit.start   = state_of(start);
     orbit.drift_m = period.drift_m;
-    orbit.closure = (period.end - start).norm();
+    orbit.closure = change(start, period.end);
   }
 
   /// With the derivatives of the last one, if those are good enough.
@@ -158,7 +167,7 @@ namespace swimtwin
     if (options_.exact_multipliers || last.monodromy.size() == 0)
       return map(start, differentiated_);
     PeriodMap period = map(start, plain_);
-    if (period.completed && (period.end - start).norm() <= contraction * last_closure)
+    if (period.completed && change(start, period.end) <= contraction * last_closure)
     {
       period.monodromy = last.monodromy;
       return period;
@@ -203,9 +212,9 @@ namespace swimtwin
       ++orbit.n_periods;
       if (!period.completed)
         break;
-      const double change = (period.end - start).norm();
-      start               = period.end;
-      if (change <= 0.1 * options_.closure)
+      const double way = change(start, period.end);
+      start            = period.end;
+      if (way <= 0.1 * options_.closure)
         break;
     }
     return start;

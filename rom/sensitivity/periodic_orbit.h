@@ -78,6 +78,7 @@ namespace swimtwin
     };
 
     PeriodMap       map(const Eigen::VectorXd &start, SwimmerIntegrator &integrator);
+    double          change(const Eigen::VectorXd &start, const Eigen::VectorXd &end) const;
     Eigen::VectorXd scaled(const SwimmerState &state) const;
     SwimmerState    state_of(const Eigen::VectorXd &scaled) const;
     Eigen::VectorXd units() const;

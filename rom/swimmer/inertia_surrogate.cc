@@ -50,11 +50,11 @@ namespace swimtwin
       return all;
     }
 
-    /// F_1 F_2^T + F_2 F_1^T.
+    /// F_1 F_2^T + F_2 F_1^T. (Here and below products are lazy: of so few rows Eigen's packed ones take twice as
+    /// long.)
     VelocityMatrix symmetric_product(const VelocityMatrix &F_1, const VelocityMatrix &F_2)
     {
-      VelocityMatrix half(F_1.rows(), F_1.rows());
-      half.noalias() = F_1 * F_2.transpose();
+      const VelocityMatrix half = F_1.lazyProduct(F_2.transpose());
       return half + half.transpose();
     }
   } // namespace
@@ -169,10 +169,10 @@ namespace swimtwin
   {
     const int     m = monomials_.n_coordinates();
     InertiaValues v;
-    v.mass = v.mass_rate = VelocityMatrix::Zero(n_, n_);
-    v.force              = VelocityVector::Zero(n_);
-    v.mass_slopes        = std::vector<VelocityMatrix>(static_cast<std::size_t>(m), VelocityMatrix::Zero(n_, n_));
-    v.force_by_velocity  = VelocityMatrix::Zero(n_, n_);
+    v.mass              = VelocityMatrix::Zero(n_, n_);
+    v.force             = VelocityVector::Zero(n_);
+    v.mass_slopes       = std::vector<VelocityMatrix>(static_cast<std::size_t>(m), VelocityMatrix::Zero(n_, n_));
+    v.force_by_velocity = VelocityMatrix::Zero(n_, n_);
     v.force_by_variable = v.force_by_rate = Eigen::MatrixXd::Zero(n_, m);
     v.monomials                           = Eigen::MatrixXd::Zero(monomials_.size(), 1 + m);
     v.rates                               = Eigen::MatrixXd::Zero(monomials_.size(), 2);
@@ -195,7 +195,6 @@ namespace swimtwin
   void InertiaSurrogate::set_masses(InertiaValues &v) const
   {
     v.mass = head_;
-    v.mass_rate.setZero();
     for (std::size_t material = 0; material < masses_.size(); ++material)
     {
       const Mass &mass = masses_[material];
@@ -214,16 +213,23 @@ namespace swimtwin
         C(term.i, term.j)      = term.i == term.j ? std::exp(value) : value;
         C_rate(term.i, term.j) = term.i == term.j ? C(term.i, term.i) * rate : rate;
       }
-      at.factor      = mass.factor_at_rest * C;
-      at.factor_rate = mass.factor_at_rest * C_rate;
-      v.mass += .5 * mass.density * symmetric_product(at.factor, at.factor);
-      v.mass_rate += mass.density * symmetric_product(at.factor, at.factor_rate);
+      at.factor      = mass.factor_at_rest.lazyProduct(C);
+      at.factor_rate = mass.factor_at_rest.lazyProduct(C_rate);
+      v.mass += mass.density * at.factor.lazyProduct(at.factor.transpose());
     }
   }
 
   void InertiaSurrogate::set_force(const VelocityVector &velocity, InertiaValues &v) const
   {
-    v.force = .5 * (v.mass_rate * velocity);
+    v.force.setZero();
+    for (std::size_t material = 0; material < masses_.size(); ++material)
+      if (const double density = masses_[material].density; density > 0.) // 1/2 dM/dt xi
+      {
+        const auto          &at      = v.materials[material];
+        const VelocityVector F_xi    = at.factor.transpose().lazyProduct(velocity),
+                             rate_xi = at.factor_rate.transpose().lazyProduct(velocity);
+        v.force += .5 * density * (at.factor.lazyProduct(rate_xi) + at.factor_rate.lazyProduct(F_xi));
+      }
     for (std::size_t t = 0; t < quadratic_.terms.size(); ++t)
     {
       const Term &term = quadratic_.terms[t];
@@ -246,7 +252,10 @@ namespace swimtwin
                                        const VelocityVector &velocity, InertiaValues &v) const
   {
     evaluate(z, z_rate, velocity, v);
-    v.force_by_velocity = .5 * v.mass_rate;
+    v.force_by_velocity.setZero();
+    for (std::size_t material = 0; material < masses_.size(); ++material)
+      if (const auto &at = v.materials[material]; masses_[material].density > 0.)
+        v.force_by_velocity += .5 * masses_[material].density * symmetric_product(at.factor, at.factor_rate);
     v.force_by_variable.setZero();
     differentiate_quadratic(velocity, v);
     for (auto &slope : v.mass_slopes)
@@ -300,7 +309,7 @@ namespace swimtwin
           C_rate(term.i, term.i) = value * (rate_slope + slope * at.entries(row, last));
         }
       }
-      const VelocityMatrix F = mass.factor_at_rest * C, F_rate = mass.factor_at_rest * C_rate;
+      const VelocityMatrix F = mass.factor_at_rest.lazyProduct(C), F_rate = mass.factor_at_rest.lazyProduct(C_rate);
       v.mass_slopes[static_cast<std::size_t>(c)] += mass.density * symmetric_product(at.factor, F);
       const VelocityMatrix rate_slope = symmetric_product(at.factor, F_rate) + symmetric_product(at.factor_rate, F);
       v.force_by_variable.col(c) += .5 * mass.density * (rate_slope * velocity);

@@ -32,7 +32,6 @@ namespace swimtwin
       VelocityMatrix  factor, factor_rate; ///< L_0 C and L_0 dC/dt
     };
     std::array<Material, 2> materials;
-    VelocityMatrix          mass_rate; ///< dM/dt
   };
 
   class InertiaSurrogate
@@ -44,7 +43,7 @@ namespace swimtwin
                      const Eigen::VectorXi &velocity_parity);
 
     InertiaValues make() const;
-    /// mass, mass_rate and force, for velocities xi that change z at the rate dz/dt.
+    /// mass and force, for velocities xi that change z at the rate dz/dt.
     void evaluate(const Eigen::VectorXd &z, const Eigen::VectorXd &z_rate, const VelocityVector &velocity,
                   InertiaValues &result) const;
     /// Derivatives too.
