@@ -2,6 +2,7 @@
 #include <app/calibrate.h>
 
 #include <app/calibration_input.h>
+#include <app/carried_inertia.h>
 #include <app/claimed_folder.h>
 #include <app/full_order/full_order_build.h>
 #include <app/full_order/full_order_run.h>
@@ -33,16 +34,34 @@ namespace swimtwin
 {
   namespace
   {
-    CalibrationOptions options_of(const CalibrateCommand &command, const ReducedModel &model, ProgressBar &bar)
+    /// What the observations need of inertia, at the scene's viscosity and stiffness.
+    InertialExtreme extreme_of(const Scene &scene, const std::vector<ObservationSet> &sets)
+    {
+      double frequency_Hz = 0.;
+      for (const ObservationSet &set : sets)
+        for (const Observation &observation : set.points)
+          frequency_Hz = std::max(frequency_Hz, observation.frequency_Hz);
+      return {frequency_Hz, scene.fluid->viscosity_Pa_s, scene.tail->young_modulus_Pa};
+    }
+
+    InertiaTerms carried_by(const CalibrateCommand &command, const CalibrationInput &input)
+    {
+      const Scene scene = scene_with_inertia(input.model, command.inertia);
+      return carried_inertia(scene, input.model, command.model, command.inertia, extreme_of(scene, input.sets));
+    }
+
+    CalibrationOptions options_of(const CalibrateCommand &command, const ReducedModel &model,
+                                  const InertiaTerms &carried, ProgressBar &bar)
     {
       CalibrationOptions options;
       options.n_threads  = command.n_threads;
       options.n_checks   = command.n_checks;
-      options.full_order = [&model, &command, n = 0](const CalibratedSwimmer &swimmer,
-                                                     const SwimmingCondition &condition) mutable {
+      options.inertia    = carried;
+      options.full_order = [&model, &command, carried, n = 0](const CalibratedSwimmer &swimmer,
+                                                              const SwimmingCondition &condition) mutable {
         const FieldProgram field = FieldProgram::sinusoidal(
             condition.drive.parameters[0], condition.drive.parameters[1], condition.drive.frequency_Hz);
-        return full_order_displacement_m(scene_of_observation(model, swimmer, field, condition.period),
+        return full_order_displacement_m(scene_of_observation(model, swimmer, carried, field, condition.period),
                                          command.common.output / fmt::format("full-order/{}", ++n));
       };
       const double start  = wall_time_s();
@@ -77,6 +96,8 @@ namespace swimtwin
     {
       std::string text =
           fmt::format("  status       {}: {}\n{}", result.status, result.message, parameter_table(result));
+      if (!result.inertia.empty())
+        text += fmt::format("  inertia      carried: {}\n", fmt::join(result.inertia, ", "));
       text += fmt::format("  misfit       chi^2 = {:.4g} for {} observations and {} degrees of freedom\n",
                           result.chi_squared, result.n_observations, result.n_degrees_of_freedom);
       for (const NullDirection &null : result.null_directions)
@@ -91,33 +112,36 @@ namespace swimtwin
       return text;
     }
 
-    /// What the fit's parameters have to make up for, because the reduced swimmer has no inertia; empty if it is
-    /// little.
-    std::string inertia_doubt(const Scene &scene, const std::vector<ObservationSet> &sets)
+    /// What the fit's parameters have to make up for of the inertia that the reduced swimmer leaves out, or carries to
+    /// first order only; empty if it is little.
+    std::string inertia_doubt(const Scene &scene, const InertiaTerms &carried, const std::vector<ObservationSet> &sets)
     {
-      constexpr double noticed   = 0.01;
-      double           frequency = 0.;
-      for (const ObservationSet &set : sets)
-        for (const Observation &observation : set.points)
-          frequency = std::max(frequency, observation.frequency_Hz);
-      const double share =
-          inertia_shares(scene, frequency, scene.fluid->viscosity_Pa_s, scene.tail->young_modulus_Pa).together();
-      if (!(share > noticed))
+      constexpr double      noticed = 0.01;
+      const InertialExtreme extreme = extreme_of(scene, sets);
+      const double          share   = extreme.shares(scene).together();
+      if (const double error = error_of_carried_inertia(share, extreme.group_of_domain(scene));
+          carried.any() && error > noticed)
+        return fmt::format(
+            "the reduced swimmer knows inertia to some {:.2g} % of the displacement at {:.4g} Hz with the "
+            "scene's viscosity and stiffness; the estimates make up for it",
+            100. * error, extreme.frequency_Hz);
+      if (carried.any() || !(share > noticed))
         return {};
       return fmt::format(
           "the reduced swimmer neglects inertia, an estimated {:.2g} % of the displacement at {:.4g} Hz with the "
           "scene's viscosity and stiffness: where the data have it, the estimates make up for it",
-          100. * share, frequency);
+          100. * share, extreme.frequency_Hz);
     }
 
     void complete(const CalibrateCommand &command, const ReducedModel &model, const CalibrationProblem &problem,
-                  const std::vector<ObservationSet> &sets, const double wall_time_s, CalibrationResult &result)
+                  const std::vector<ObservationSet> &sets, const InertiaTerms &carried, const double wall_time_s,
+                  CalibrationResult &result)
     {
       const Scene scene   = parse_scene(model.scene_text, model.scene_name + ".toml");
       result.model_file   = find_model(command.model).string();
       result.scene_name   = model.scene_name;
       result.problem_text = problem.text;
-      if (const std::string doubt = inertia_doubt(scene, sets); !doubt.empty())
+      if (const std::string doubt = inertia_doubt(scene, carried, sets); !doubt.empty())
         result.warnings.push_back(doubt);
       for (const ObservationSet &set : sets)
         result.data_files.push_back(set.file.string());
@@ -174,7 +198,8 @@ namespace swimtwin
     {
       const CalibrationInput input = read_calibration_input(command);
       warn_of_model_error(input.model, command.model);
-      const std::vector<std::string> warnings = check_before_fit(input.model, input.problem, input.sets);
+      const std::vector<std::string> warnings =
+          check_before_fit(input.model, input.problem, input.sets, carried_by(command, input));
       print_warnings(warnings);
       if (!command.common.quiet)
         say("{}  nothing forbids a fit; warnings: {}\n", summary(input), warnings.size());
@@ -185,13 +210,15 @@ namespace swimtwin
       const auto &[model, problem, sets] = input;
       const CommonOptions &common        = command.common;
       const double         start         = wall_time_s();
+      const InertiaTerms   carried       = carried_by(command, input);
       CalibrationResult    result;
       {
         ProgressBar bar(common.quiet);
-        result = calibrate(model, problem, sets, options_of(command, model, bar));
+        result = calibrate(model, problem, sets, options_of(command, model, carried, bar));
       }
-      complete(command, model, problem, sets, wall_time_s() - start, result);
-      write_calibration_files(common.output, result, fitted_scene(model, result.swimmer, sets.front(), common.output));
+      complete(command, model, problem, sets, carried, wall_time_s() - start, result);
+      write_calibration_files(common.output, result,
+                              fitted_scene(model, result.swimmer, carried, sets.front(), common.output));
       draw_and_write_page(command, result);
       print_warnings(result.warnings);
       if (!common.quiet)
@@ -237,6 +264,7 @@ namespace swimtwin
     verb->add_option("--verify", command->n_checks, "Runs of the full-order model at the estimate (about 15 s each)")
         ->check(CLI::NonNegativeNumber)
         ->take_last();
+    add_inertia_option(*verb, command->inertia);
     verb->add_flag("--check", command->check_only,
                    "Read problem and observations, print what is in them and what is wrong, and fit nothing");
     verb->add_flag("--no-picture", command->no_picture, "Draw nothing");

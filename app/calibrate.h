@@ -9,7 +9,8 @@ namespace swimtwin
   {
     CommonOptions            common;
     std::string              model, problem;
-    std::vector<std::string> data; ///< instead of those that the problem names
+    std::string              inertia; ///< "none", "auto", "full"; empty: as the scene has it
+    std::vector<std::string> data;    ///< instead of those that the problem names
     int                      n_threads = 0, n_checks = 0;
     bool                     no_picture          = false;
     bool                     check_only          = false; ///< problem and data, without a fit; needs no folder

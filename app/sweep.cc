@@ -1,4 +1,5 @@
 // Verb sweep: displacement against frequency, and against whatever else, on a reduced model.
+#include <app/carried_inertia.h>
 #include <app/claimed_folder.h>
 #include <app/model_error.h>
 #include <app/progress_bar.h>
@@ -74,22 +75,6 @@ namespace swimtwin
       return command.n_modes > 0 ? truncated(model, command.n_modes) : model;
     }
 
-    /// The member of a sweep that needs inertia most.
-    struct InertialExtreme
-    {
-      double frequency_Hz, viscosity_Pa_s, young_modulus_Pa;
-
-      double group(const Scene &scene) const { return unsteady_group(scene, frequency_Hz, viscosity_Pa_s); }
-      double group_of_domain(const Scene &scene) const
-      {
-        return unsteady_group_of_domain(scene, frequency_Hz, viscosity_Pa_s);
-      }
-      InertiaShares shares(const Scene &scene) const
-      {
-        return inertia_shares(scene, frequency_Hz, viscosity_Pa_s, young_modulus_Pa);
-      }
-    };
-
     InertialExtreme extreme_of(const SweepAxes &axes, const RunRequest &base)
     {
       const auto largest = [](const std::vector<double> &v, const double otherwise) {
@@ -101,24 +86,6 @@ namespace swimtwin
       return {largest(axes.frequency_Hz, base.drive.frequency_Hz),
               smallest(axes.viscosity_Pa_s, base.parameters.viscosity_Pa_s),
               largest(axes.young_modulus_Pa, base.parameters.young_modulus_Pa)};
-    }
-
-    /// What of the inertia all members carry: what the scene asks for, as far as the model has it. "auto" keeps all
-    /// of it as soon as one of them needs a term.
-    InertiaTerms terms_of(const SweepCommand &command, const Scene &scene, const ReducedModel &model,
-                          const InertialExtreme &extreme)
-    {
-      if (!model.inertia.is_given() && command.inertia == "full")
-        throw InputError(
-            fmt::format("--inertia full: {} was trained without inertia; train it again with [fluid] inertia "
-                        "= \"auto\" or \"full\", or leave --inertia out.",
-                        command.model));
-      if (!model.inertia.is_given())
-        return {};
-      const InertiaTerms terms = inertia_terms(scene, extreme.shares(scene));
-      if (scene.fluid->inertia == Inertia::automatic && terms.any())
-        return {.unsteady = true, .convective = true, .tail = true, .head = true}; // all cost the same as one
-      return terms;
     }
 
     /// Inertia that is left out, or carried too far: refuse where the model cannot be right, warn where the error is
@@ -237,16 +204,13 @@ namespace swimtwin
 
     SweepSetup set_up(const SweepCommand &command, const SweepAxes &axes)
     {
-      SweepSetup               setup{load_model(command), {}, {}, {}};
-      std::vector<std::string> overrides;
-      if (!command.inertia.empty())
-        overrides.push_back("fluid.inertia=" + command.inertia);
-      setup.scene                   = parse_scene(setup.model.scene_text, setup.model.scene_name + ".toml", overrides);
+      SweepSetup setup{load_model(command), {}, {}, {}};
+      setup.scene                   = scene_with_inertia(setup.model, command.inertia);
       setup.options                 = options_of(command, setup.scene, setup.model);
       const InertialExtreme extreme = extreme_of(axes, setup.options.base);
-      const InertiaTerms    terms   = terms_of(command, setup.scene, setup.model, extreme);
-      setup.options.densities       = inertial_densities(setup.scene, terms);
-      const std::string doubt       = inertia_doubt(setup.scene, terms, extreme, command.allow_inertia);
+      const InertiaTerms    terms = carried_inertia(setup.scene, setup.model, command.model, command.inertia, extreme);
+      setup.options.densities     = inertial_densities(setup.scene, terms);
+      const std::string doubt     = inertia_doubt(setup.scene, terms, extreme, command.allow_inertia);
       if (!doubt.empty())
         setup.record.warnings.push_back(doubt);
       return setup;
@@ -347,8 +311,7 @@ namespace swimtwin
         ->capture_default_str();
     verb->add_option("--threads", command->n_threads, "Number of threads; 0: as many as there are cores")
         ->check(CLI::Range(0, 4096));
-    verb->add_option("--inertia", command->inertia, "none, auto or full, in the place of the scene's [fluid] inertia")
-        ->check(CLI::IsMember({"none", "auto", "full"}));
+    add_inertia_option(*verb, command->inertia);
     verb->add_flag("--allow-inertia", command->allow_inertia,
                    "Compute where the neglected inertia is not small, too, or where the fluid's is carried too far");
     add_output_options(*verb, command->common, OutputFolder::required);

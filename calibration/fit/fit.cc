@@ -67,7 +67,7 @@ namespace swimtwin
       if (estimate.error.relative_size == 0. || usual == 0. || n_fewer == input.reduced.n_modes())
         return {};
       const CalibratedSwimmer swimmer = input.map.swimmer(estimate.x());
-      const CalibrationModel  fewer(truncated(input.reduced, n_fewer));
+      const CalibrationModel  fewer(truncated(input.reduced, n_fewer), input.model.inertia);
       ExactDisplacements      compared(fewer, input.data.conditions,
                                        {.relative_tolerance = estimate_tolerance, .n_threads = input.n_threads});
       const Displacements    &few = compared.evaluate(swimmer, false);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace swimtwin
@@ -54,5 +55,15 @@ namespace swimtwin
             "[fit].",
             names[g], std::exp(asked.lower[g]), std::exp(asked.upper[g]), std::exp(known.lower[g]),
             std::exp(known.upper[g])));
+  }
+
+  void require_fixed_lengths(const FitInput &input)
+  {
+    const auto is_length = [](const auto &parameter) { return parameter.quantity == FittedQuantity::geometry_scale; };
+    if (input.model.swimmer.has_inertia() &&
+        (std::any_of(input.problem.free.begin(), input.problem.free.end(), is_length) ||
+         std::any_of(input.problem.given.begin(), input.problem.given.end(), is_length)))
+      throw InputError("geometry_scale does not go with inertia, which makes swimmers of different lengths swim "
+                       "differently; leave it out of the problem, or leave inertia out with --inertia none.");
   }
 } // namespace swimtwin

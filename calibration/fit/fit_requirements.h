@@ -9,4 +9,6 @@ namespace swimtwin
   /// Bounds that hold nothing that the model knows are most likely in another unit; refused unless the problem says
   /// allow_untrained.
   void require_overlap_with_trained(const FitInput &input);
+  /// Inertia knows lengths: swimmers of another size do not swim alike.
+  void require_fixed_lengths(const FitInput &input);
 } // namespace swimtwin

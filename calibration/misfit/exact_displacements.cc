@@ -2,6 +2,7 @@
 #include <datasets/system/error.h>
 #include <datasets/system/parallel_for.h>
 
+#include <rom/sweep/starting_state.h>
 #include <rom/sweep/sweep.h>
 #include <rom/sweep/trained_ratios.h>
 #include <rom/sweep/trust.h>
@@ -29,13 +30,20 @@ namespace swimtwin
         parameters.push_back({Quantity::tail_magnetization});
       return parameters;
     }
+
+    Scene scene_of(const ReducedModel &model)
+    {
+      return parse_scene(model.scene_text, model.scene_name + ".toml");
+    }
   } // namespace
 
-  CalibrationModel::CalibrationModel(const ReducedModel &model) : swimmer(model), range(model.range)
+  CalibrationModel::CalibrationModel(const ReducedModel &model, const InertiaTerms &carried)
+      : inertia(carried), swimmer(model, inertial_densities(scene_of(model), carried)), range(model.range)
   {
-    const Scene        scene  = parse_scene(model.scene_text, model.scene_name + ".toml");
+    const Scene        scene  = scene_of(model);
     const SweepOptions own    = sweep_options(scene, model);
     base                      = own.base;
+    base.initial_state        = starting_state(swimmer, own.base.initial_state);
     heading_rad               = own.heading_rad;
     body_length_m             = scene.body_length_m();
     nominal.young_modulus_Pa  = base.parameters.young_modulus_Pa;

@@ -15,8 +15,9 @@ namespace swimtwin
   /// The reduced swimmer of a fit: what all threads share. It does not change.
   struct CalibrationModel
   {
-    explicit CalibrationModel(const ReducedModel &model);
+    explicit CalibrationModel(const ReducedModel &model, const InertiaTerms &carried = {});
 
+    InertiaTerms      inertia; ///< that all runs carry
     ReducedSwimmer    swimmer;
     TrainedRange      range;
     RunRequest        base;               ///< the scene's own run: parameters, field, rest

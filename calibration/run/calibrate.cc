@@ -5,6 +5,7 @@
 #include <calibration/fit/noise_level.h>
 #include <calibration/uncertainty/null_reading.h>
 #include <calibration/uncertainty/parameter_summary.h>
+#include <datasets/scene/inertia_terms.h>
 #include <datasets/system/clocks.h>
 #include <datasets/system/parallel_for.h>
 
@@ -24,6 +25,7 @@ namespace swimtwin
     {
       require_enough_observations(input);
       require_overlap_with_trained(input);
+      require_fixed_lengths(input);
     }
 
     /// One calibration, section by section of its result.
@@ -61,6 +63,7 @@ namespace swimtwin
       void describe_fit()
       {
         result_.level               = input_.problem.level;
+        result_.inertia             = names_of(input_.model.inertia);
         result_.swimmer             = input_.map.swimmer(estimate_.x());
         result_.swimmer.noise_scale = estimate_.noise_scale;
         result_.n_observations      = input_.data.n();
@@ -226,7 +229,7 @@ namespace swimtwin
                               const std::vector<ObservationSet> &sets, const CalibrationOptions &options)
   {
     const CalibrationData  data = calibration_data(sets);
-    const CalibrationModel model(reduced);
+    const CalibrationModel model(reduced, options.inertia);
     const ParameterMap     map(problem, model.nominal, data.largest_m());
     const FitInput input{model, reduced, problem, data, map, n_threads_for(64, options.n_threads), options.on_progress};
     require_sense(input);
@@ -234,10 +237,10 @@ namespace swimtwin
   }
 
   std::vector<std::string> check_before_fit(const ReducedModel &reduced, const CalibrationProblem &problem,
-                                            const std::vector<ObservationSet> &sets)
+                                            const std::vector<ObservationSet> &sets, const InertiaTerms &inertia)
   {
     const CalibrationData  data = calibration_data(sets);
-    const CalibrationModel model(reduced);
+    const CalibrationModel model(reduced, inertia);
     const ParameterMap     map(problem, model.nominal, data.largest_m());
     require_sense({model, reduced, problem, data, map});
     return data_warnings(model, sets);

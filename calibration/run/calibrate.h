@@ -9,9 +9,10 @@ namespace swimtwin
 {
   struct CalibrationOptions
   {
-    int n_threads     = 0;  ///< 0: as many as the machine has
-    int n_frequencies = 61; ///< of bands
-    int n_checks      = 0;  ///< full-order runs at the optimum
+    int          n_threads     = 0;  ///< 0: as many as the machine has
+    int          n_frequencies = 61; ///< of bands
+    int          n_checks      = 0;  ///< full-order runs at the optimum
+    InertiaTerms inertia       = {}; ///< that all runs carry
     /// Displacement (m) by the full-order model of a swimmer with the scene's geometry, under the condition of one
     /// observation; needed for checks.
     std::function<double(const CalibratedSwimmer &swimmer, const SwimmingCondition &condition)> full_order = {};
@@ -25,5 +26,5 @@ namespace swimtwin
 
   /// What can be known before a fit: throws InputError as `calibrate` does, else returns what it will warn of.
   std::vector<std::string> check_before_fit(const ReducedModel &model, const CalibrationProblem &problem,
-                                            const std::vector<ObservationSet> &sets);
+                                            const std::vector<ObservationSet> &sets, const InertiaTerms &inertia = {});
 } // namespace swimtwin

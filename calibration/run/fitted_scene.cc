@@ -3,6 +3,7 @@
 #include <datasets/system/error.h>
 #include <datasets/scene/field_period.h>
 #include <datasets/scene/field_program_writer.h>
+#include <datasets/scene/inertia_terms.h>
 #include <datasets/scene/scene_field.h>
 
 #include <fmt/format.h>
@@ -21,6 +22,13 @@ namespace swimtwin
     void set(Overrides &overrides, const char *key, const std::array<double, 2> &pair, const double scale)
     {
       overrides.push_back(fmt::format("{}=[{:.17g}, {:.17g}]", key, scale * pair[0], scale * pair[1]));
+    }
+
+    /// [fluid] inertia of what a fit carried.
+    std::string inertia(const InertiaTerms &carried)
+    {
+      return carried.any() ? fmt::format("fluid.inertia=[\"{}\"]", fmt::join(names_of(carried), "\", \""))
+                           : "fluid.inertia=none";
     }
 
     Overrides physics(const CalibratedSwimmer &swimmer)
@@ -90,13 +98,15 @@ namespace swimtwin
     }
   } // namespace
 
-  Scene fitted_scene(const ReducedModel &model, const CalibratedSwimmer &swimmer, const ObservationSet &data,
-                     const std::filesystem::path &folder)
+  Scene fitted_scene(const ReducedModel &model, const CalibratedSwimmer &swimmer, const InertiaTerms &carried,
+                     const ObservationSet &data, const std::filesystem::path &folder)
   {
     const std::filesystem::path program   = folder / fitted_field_name;
     const Scene                 scene     = parse_scene(model.scene_text, model.scene_name + ".toml");
     std::string                 text      = model.scene_text;
     Overrides                   overrides = physics(swimmer);
+    if (carried.any())
+      overrides.push_back(inertia(carried));
     if (is_sinusoidal(data.field))
     {
       set_field(overrides, data.field, swimmer.field_scale);
@@ -116,8 +126,8 @@ namespace swimtwin
     return parse_scene(text, folder / fitted_scene_name, overrides);
   }
 
-  Scene scene_of_observation(const ReducedModel &model, const CalibratedSwimmer &swimmer, const FieldProgram &field,
-                             const std::optional<int> period)
+  Scene scene_of_observation(const ReducedModel &model, const CalibratedSwimmer &swimmer, const InertiaTerms &carried,
+                             const FieldProgram &field, const std::optional<int> period)
   {
     if (!is_sinusoidal(field) || !period)
       throw InputError("--verify repeats observations of a numbered period in a sinusoidal field; leave it out for "
@@ -127,7 +137,7 @@ namespace swimtwin
     set(overrides, "field.frequency_Hz", 1. / field.period_s());
     overrides.push_back(fmt::format("time.periods={}", *period));
     overrides.push_back("output.snapshots_per_period=0");
-    overrides.push_back("fluid.inertia=none"); // like the reduced swimmer, whose other errors are looked for
+    overrides.push_back(inertia(carried)); // like the reduced swimmer, whose other errors are looked for
     return parse_scene(model.scene_text, model.scene_name + ".toml", overrides);
   }
 } // namespace swimtwin

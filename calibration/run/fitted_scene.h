@@ -12,14 +12,16 @@ namespace swimtwin
                               *fitted_field_period_name = "fitted-field.json";
 
   /// The model's scene with the swimmer's stiffness, viscosity, magnetization and lengths, in the field of the data set
-  /// at the swimmer's place, at the scene's own frequency. Displacement scale and offset belong to the recording and do
-  /// not enter. Made to stand in `folder` as fitted_scene_name; if the data's field is a program, the scaled program is
-  /// written to fitted_field_name there, else such a file is removed.
-  Scene fitted_scene(const ReducedModel &model, const CalibratedSwimmer &swimmer, const ObservationSet &set,
-                     const std::filesystem::path &folder);
+  /// at the swimmer's place, at the scene's own frequency, with the inertia that the fit carried or else the scene's
+  /// own choice. Displacement scale and offset belong to the recording and do not enter. Made to stand in `folder` as
+  /// fitted_scene_name; if the data's field is a program, the scaled program is written to fitted_field_name there,
+  /// else such a file is removed.
+  Scene fitted_scene(const ReducedModel &model, const CalibratedSwimmer &swimmer, const InertiaTerms &carried,
+                     const ObservationSet &set, const std::filesystem::path &folder);
 
-  /// The same lengths as the model's scene, one observation's frequency and period: what the full-order model is to
-  /// check. Throws InputError for a data set without a sinusoidal field or of the periodic state.
-  Scene scene_of_observation(const ReducedModel &model, const CalibratedSwimmer &swimmer, const FieldProgram &field,
-                             std::optional<int> period);
+  /// The same lengths as the model's scene, one observation's frequency and period, the inertia that the fit carried:
+  /// what the full-order model is to check. Throws InputError for a data set without a sinusoidal field or of the
+  /// periodic state.
+  Scene scene_of_observation(const ReducedModel &model, const CalibratedSwimmer &swimmer, const InertiaTerms &carried,
+                             const FieldProgram &field, std::optional<int> period);
 } // namespace swimtwin

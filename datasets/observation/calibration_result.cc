@@ -171,6 +171,7 @@ namespace swimtwin
     visit("level", v.level);
     visit("swimmer", v.swimmer);
     visit("parameters", v.parameters);
+    visit("inertia", v.inertia);
     visit("misfit", v.misfit);
     visit("chi_squared", v.chi_squared);
     visit("n_observations", v.n_observations);
@@ -242,7 +243,9 @@ namespace swimtwin
 
   CalibrationResult read_calibration_result(const std::filesystem::path &file)
   {
-    const Json        json = read_json_file(file, "the result of a calibration", "run `swimtwin calibrate` again");
+    Json json = read_json_file(file, "the result of a calibration", "run `swimtwin calibrate` again");
+    if (json.is_object())
+      json.emplace("inertia", Json::array()); // results of earlier versions lack it: they carried none
     CalibrationResult result;
     try
     {

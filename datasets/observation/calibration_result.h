@@ -146,14 +146,15 @@ namespace swimtwin
     CalibratedSwimmer                swimmer;    ///< at the estimate
     std::vector<CalibratedParameter> parameters; ///< free ones first, in the problem's order
 
-    double      misfit = 0., chi_squared = 0.;
-    int         n_observations = 0, n_degrees_of_freedom = 0;
-    double      kkt_residual  = 0.;
-    double      polish_step   = 0.;                     ///< largest change of a scaled variable by the polish
-    int         n_evaluations = 0, max_evaluations = 0; ///< per start: the budget
-    long        n_runs               = 0;               ///< of the reduced swimmer
-    double      integrator_tolerance = 0.;
-    std::string loss;
+    double                   misfit = 0., chi_squared = 0.;
+    std::vector<std::string> inertia; ///< terms that the reduced swimmer carried, by their names in [fluid] inertia
+    int                      n_observations = 0, n_degrees_of_freedom = 0;
+    double                   kkt_residual  = 0.;
+    double                   polish_step   = 0.; ///< largest change of a scaled variable by the polish
+    int                      n_evaluations = 0, max_evaluations = 0; ///< per start: the budget
+    long                     n_runs               = 0;               ///< of the reduced swimmer
+    double                   integrator_tolerance = 0.;
+    std::string              loss;
 
     std::vector<FitStart>  starts; ///< the waterfall, best first
     std::vector<TraceStep> trace;  ///< of the best start

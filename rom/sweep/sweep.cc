@@ -2,6 +2,7 @@
 #include <datasets/system/clocks.h>
 #include <datasets/system/error.h>
 #include <datasets/system/parallel_for.h>
+#include <rom/sweep/starting_state.h>
 #include <rom/sweep/sweep.h>
 
 #include <algorithm>
@@ -57,14 +58,6 @@ namespace swimtwin
       return request;
     }
 
-    /// The pose and the leading modes of a state, its velocities zero.
-    SwimmerState starting(const ReducedSwimmer &swimmer, const SwimmerState &state)
-    {
-      SwimmerState start                 = state_at_rest(swimmer);
-      start.head(swimmer.n_velocities()) = state.head(swimmer.n_velocities());
-      return start;
-    }
-
     /// What the threads share: swimmers, which do not change.
     struct Swimmers
     {
@@ -109,7 +102,7 @@ namespace swimtwin
         result.displacement_m = result.periodic_displacement_m = result.error_indicator_m = not_known;
         result.largest_multiplier = result.error_95_m = not_known;
         RunRequest request                            = request_of(member, options_);
-        request.initial_state                         = starting(swimmers_.all, request.initial_state);
+        request.initial_state                         = starting_state(swimmers_.all, request.initial_state);
         const SwimmerRun run                          = all_.run(request);
         result.trust                                  = trust_notes(swimmers_.range, request, run);
         result.held_out_error                         = error_near(member);
@@ -148,7 +141,7 @@ namespace swimtwin
       {
         if (swimmers_.fewer.n_modes() == swimmers_.all.n_modes())
           return; // nothing to compare with
-        request.initial_state = starting(swimmers_.fewer, request.initial_state);
+        request.initial_state = starting_state(swimmers_.fewer, request.initial_state);
         const SwimmerRun run  = fewer_.run(request);
         if (run.completed())
           result.error_indicator_m = displacement_error_indicator(

@@ -136,6 +136,22 @@ bootstrap_samples = 60
     EXPECT_FALSE(std::filesystem::exists(folder.path / "results"));
   }
 
+  TEST_F(CalibrateVerb, CarriesInertiaThatTheModelHas)
+  {
+    folder.write("curve.csv", table);
+    const auto check = [&](const std::string &model, const std::string &inertia) {
+      return calibrate_tool({"calibrate", model, folder.path / "fit.toml", "--data", folder.path / "curve.csv",
+                             "--check", "--inertia", inertia});
+    };
+    const std::string without = std::string(places::source) + "/tests/models/reference-2d-version-1.h5";
+    EXPECT_EQ(check("reference-2d", "full").code, 0);
+    EXPECT_EQ(check(without, "auto").code, 0);
+    const Outcome refused = check(without, "full");
+    EXPECT_EQ(refused.code, 2);
+    expect_in(refused.errors, "was trained without inertia; train it again with [fluid] inertia");
+    EXPECT_EQ(check("reference-2d", "some").code, 2);
+  }
+
   TEST_F(CalibrateVerb, CheckFindsWhatAFitWouldFind)
   {
     const auto check = [&](const std::string &text) {

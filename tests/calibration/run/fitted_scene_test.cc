@@ -3,6 +3,7 @@
 #include <datasets/files/output_folder.h>
 #include <tests/datasets/temporary_folder.h>
 #include <tests/places.h>
+#include <datasets/scene/inertia_terms.h>
 
 #include <gtest/gtest.h>
 
@@ -25,13 +26,15 @@ namespace swimtwin
       /// As `calibrate` leaves it and `simulate` reads it.
       Scene written()
       {
-        write_text_atomically(folder.path / fitted_scene_name, fitted_scene(model, swimmer, data, folder.path).text);
+        write_text_atomically(folder.path / fitted_scene_name,
+                              fitted_scene(model, swimmer, carried, data, folder.path).text);
         return read_scene(folder.path / fitted_scene_name);
       }
 
       const ReducedModel    model = read_reduced_model(std::string(places::models) + "/reference-2d.h5");
       const Scene           own   = parse_scene(model.scene_text, "own.toml");
       CalibratedSwimmer     swimmer;
+      InertiaTerms          carried;
       ObservationSet        data;
       const TemporaryFolder folder;
     };
@@ -69,6 +72,17 @@ namespace swimtwin
     EXPECT_EQ(written().field.waveform(), FieldProgram::Waveform::sinusoidal);
     EXPECT_FALSE(std::filesystem::exists(folder.path / fitted_field_name));
     EXPECT_FALSE(std::filesystem::exists(folder.path / fitted_field_period_name));
+  }
+
+  TEST_F(FittedScene, HasTheInertiaThatTheFitCarried)
+  {
+    data.field = own.field;
+    EXPECT_EQ(written().fluid->inertia, own.fluid->inertia);
+    carried = {.unsteady = true, .convective = true, .tail = true, .head = true};
+    EXPECT_EQ(names_of(inertia_terms(written())).size(), 4u);
+    const FieldProgram field = FieldProgram::sinusoidal(5e-3, 5e-3, 0.5);
+    EXPECT_EQ(names_of(inertia_terms(scene_of_observation(model, swimmer, carried, field, 3))).size(), 4u);
+    EXPECT_TRUE(names_of(inertia_terms(scene_of_observation(model, swimmer, {}, field, 3))).empty());
   }
 
   TEST_F(FittedScene, ScalesEveryLength)
