@@ -2,6 +2,7 @@
 //   bench_calibration coverage MODEL.h5 [number of fits]
 //   bench_calibration time MODEL.h5
 //   bench_calibration bias MODEL.h5 DATA.csv E/mu M/mu    (full-order data with their noise and without it)
+//   bench_calibration seeds MODEL.h5 DATA.csv E/mu M/mu [n]    (and with n other draws of noise)
 #include <calibration/run/calibrate.h>
 #include <datasets/system/clocks.h>
 #include <datasets/system/error.h>
@@ -158,21 +159,54 @@ namespace
                    p.bootstrap.high.value_or(NAN));
   }
 
-  /// Fits full-order data as they are, and once more without their noise: what is then left is the reduced model's
-  /// bias.
-  void measure_bias(const ReducedModel &reduced, const char *file, const double (&truth)[2])
+  /// Bounds that hold every shipped set, the model's own error from its held-out runs.
+  CalibrationProblem of_full_order_data()
   {
     CalibrationProblem problem = two_ratios();
     problem.model_error.reset();
     problem.free[0].upper = 4e5;
     problem.free[1].upper = 3e5;
-    ObservationSet set    = read_observations(file);
+    return problem;
+  }
+
+  ObservationSet without_noise(ObservationSet set)
+  {
+    for (std::size_t i = 0; i < set.points.size(); ++i)
+      set.points[i].displacement_m = std::stod(set.extra_columns.at("displacement_without_noise_m")[i]);
+    return set;
+  }
+
+  /// How often intervals hold the full-order model's truth whose noise is drawn anew.
+  void count_seeds(const ReducedModel &reduced, const char *file, const double (&truth)[2], const int n)
+  {
+    CalibrationProblem problem     = of_full_order_data();
+    problem.n_bootstrap_samples    = 0;
+    const ObservationSet exact     = without_noise(read_observations(file));
+    int                  inside[2] = {0, 0};
+    for (int seed = 1; seed <= n; ++seed)
+    {
+      ObservationSet                   set = exact;
+      std::mt19937_64                  engine(static_cast<unsigned int>(seed));
+      std::normal_distribution<double> normal;
+      for (Observation &point : set.points)
+        point.displacement_m += point.sigma_m * normal(engine);
+      const CalibrationResult result = calibrate(reduced, problem, {set}, {.n_threads = 2});
+      for (int j = 0; j < 2; ++j)
+        inside[j] += holds(result.parameters[static_cast<std::size_t>(j)].profile, truth[j]);
+    }
+    fmt::print("{}: {} draws of noise (seeds 1 to {}): the 95 % interval holds E/mu {} times, M/mu {} times\n",
+               exact.name, n, n, inside[0], inside[1]);
+  }
+
+  /// Fits full-order data as they are, and once more without their noise: what is then left is the reduced model's
+  /// bias.
+  void measure_bias(const ReducedModel &reduced, const char *file, const double (&truth)[2])
+  {
+    const ObservationSet as_they_are = read_observations(file);
     for (const bool noise : {true, false})
     {
-      if (!noise)
-        for (std::size_t i = 0; i < set.points.size(); ++i)
-          set.points[i].displacement_m = std::stod(set.extra_columns.at("displacement_without_noise_m")[i]);
-      const CalibrationResult result = calibrate(reduced, problem, {set}, {.n_threads = 2});
+      const ObservationSet    set    = noise ? as_they_are : without_noise(as_they_are);
+      const CalibrationResult result = calibrate(reduced, of_full_order_data(), {set}, {.n_threads = 2});
       fmt::print("{} {} noise, model error {:.2g} %:\n", set.name, noise ? "with" : "without",
                  100. * result.discrepancy.relative_size);
       for (int j = 0; j < 2; ++j)
@@ -190,10 +224,11 @@ namespace
 int main(int argc, char **argv)
 {
   const std::string what = argc < 3 ? "" : argv[1];
-  if (what != "coverage" && what != "time" && (what != "bias" || argc != 6))
+  if (what != "coverage" && what != "time" && (what != "bias" || argc != 6) && (what != "seeds" || argc < 6))
   {
     fmt::print(stderr, "usage: bench_calibration coverage|time MODEL.h5 [number of fits]\n"
-                       "       bench_calibration bias MODEL.h5 DATA.csv E/mu M/mu\n");
+                       "       bench_calibration bias MODEL.h5 DATA.csv E/mu M/mu\n"
+                       "       bench_calibration seeds MODEL.h5 DATA.csv E/mu M/mu [number of draws]\n");
     return 2;
   }
   try
@@ -203,6 +238,8 @@ int main(int argc, char **argv)
       measure_coverage(model, argc > 3 ? std::atoi(argv[3]) : 400);
     else if (what == "time")
       measure_time(model);
+    else if (what == "seeds")
+      count_seeds(model, argv[3], {std::stod(argv[4]), std::stod(argv[5])}, argc > 6 ? std::atoi(argv[6]) : 20);
     else
       measure_bias(model, argv[3], {std::stod(argv[4]), std::stod(argv[5])});
     return 0;
