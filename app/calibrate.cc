@@ -44,10 +44,24 @@ namespace swimtwin
       return {frequency_Hz, scene.fluid->viscosity_Pa_s, scene.tail->young_modulus_Pa};
     }
 
+    /// "none" if the data are without, as computed ones may be; else as the scene has it.
+    std::string inertia_of_data(const std::vector<ObservationSet> &sets)
+    {
+      const auto without = [](const ObservationSet &set) { return !set.has_inertia; };
+      const auto n       = std::count_if(sets.begin(), sets.end(), without);
+      if (n > 0 && n < static_cast<long>(sets.size()))
+        throw InputError(
+            fmt::format("{} was computed without inertia ([fluid] inertia in its sidecar), other data have it; "
+                        "fit them one by one, or choose with --inertia.",
+                        std::find_if(sets.begin(), sets.end(), without)->name));
+      return n > 0 ? "none" : "";
+    }
+
     InertiaTerms carried_by(const CalibrateCommand &command, const CalibrationInput &input)
     {
-      const Scene scene = scene_with_inertia(input.model, command.inertia);
-      return carried_inertia(scene, input.model, command.model, command.inertia, extreme_of(scene, input.sets));
+      const std::string inertia = command.inertia.empty() ? inertia_of_data(input.sets) : command.inertia;
+      const Scene       scene   = scene_with_inertia(input.model, inertia);
+      return carried_inertia(scene, input.model, command.model, inertia, extreme_of(scene, input.sets));
     }
 
     CalibrationOptions options_of(const CalibrateCommand &command, const ReducedModel &model,
@@ -125,7 +139,9 @@ namespace swimtwin
             "the reduced swimmer knows inertia to some {:.2g} % of the displacement at {:.4g} Hz with the "
             "scene's viscosity and stiffness; the estimates make up for it",
             100. * error, extreme.frequency_Hz);
-      if (carried.any() || !(share > noticed))
+      const bool is_missed =
+          std::any_of(sets.begin(), sets.end(), [](const ObservationSet &set) { return set.has_inertia; });
+      if (carried.any() || !is_missed || !(share > noticed))
         return {};
       return fmt::format(
           "the reduced swimmer neglects inertia, an estimated {:.2g} % of the displacement at {:.4g} Hz with the "

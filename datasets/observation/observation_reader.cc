@@ -34,6 +34,7 @@ namespace swimtwin
       set.swimmer       = sidecar.swimmer;
       set.measured_by   = sidecar.measured_by;
       set.synthetic     = sidecar.synthetic;
+      set.has_inertia   = sidecar.has_inertia;
       set.temperature_C = sidecar.temperature_C;
       set.body_length_m = sidecar.body_length_m;
       set.period        = sidecar.period;

@@ -40,11 +40,12 @@ namespace swimtwin
 
     // Of the sidecar:
     std::string           source, swimmer, measured_by; ///< in words
-    bool                  synthetic = false;
-    std::optional<double> temperature_C; ///< of the fluid
-    std::optional<double> body_length_m; ///< of the swimmer, to tell whether sizes are plausible
-    std::optional<int>    period = 3;    ///< counted from 1, after a start from rest; none: the periodic state
-    FieldProgram          field;         ///< its shape: sinusoidal or sampled; `field_at` plays it at a frequency
+    bool                  synthetic   = false;
+    bool                  has_inertia = true; ///< of swimmer and fluid; only computed data can be without
+    std::optional<double> temperature_C;      ///< of the fluid
+    std::optional<double> body_length_m;      ///< of the swimmer, to tell whether sizes are plausible
+    std::optional<int>    period = 3;         ///< counted from 1, after a start from rest; none: the periodic state
+    FieldProgram          field;              ///< its shape: sinusoidal or sampled; `field_at` plays it at a frequency
 
     ObservedQuantity         quantity = ObservedQuantity::displacement;
     std::vector<Observation> points; ///< by increasing frequency

@@ -65,10 +65,16 @@ namespace swimtwin
       note_all(table, problems);
     }
 
+    constexpr std::array<std::pair<std::string_view, bool>, 2> inertia_words{{{"full", true}, {"none", false}}};
+
     void read_fluid(const TomlDocument &document, ObservationSidecar &sidecar, DataProblems &problems)
     {
       TomlTable table(document, "fluid");
       table.number("temperature_C", {"degrees Celsius", above_freezing}, sidecar.temperature_C);
+      table.choice("inertia", Need::optional, inertia_words, sidecar.has_inertia);
+      if (!sidecar.has_inertia && !sidecar.synthetic)
+        table.note("inertia", "is \"none\", which data can be without only if they are computed; leave it out, or say "
+                              "synthetic = true.");
       note_all(table, problems);
       if (!sidecar.temperature_C && !sidecar.synthetic)
         problems.warning(fmt::format("{}: [fluid] temperature_C is missing; the viscosity of glycerol falls by 9 % per "

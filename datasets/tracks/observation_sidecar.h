@@ -41,8 +41,8 @@ namespace swimtwin
     std::filesystem::path  file;
     std::filesystem::path  table; ///< that it belongs to, beside it; empty if it does not say
     std::string            source, swimmer, measured_by;
-    bool                   synthetic = false;
-    std::optional<int>     period; ///< none: the periodic state
+    bool                   synthetic = false, has_inertia = true; ///< computed; of swimmer and fluid
+    std::optional<int>     period;                                ///< none: the periodic state
     std::optional<double>  body_length_m, temperature_C;
     FieldProgram           field;
     std::optional<Camera>  camera;

@@ -72,6 +72,7 @@ bootstrap_samples = 60
     expect_in(outcome.output, "status       converged");
     const CalibrationResult result = read_calibration_result(folder.path / "results/calibration.json");
     EXPECT_EQ(result.discrepancy.origin, "held-out runs");
+    EXPECT_TRUE(result.inertia.empty());             // the sidecar says that the data have none
     const double truth[] = {8e4 / 1.52, 2e5 / 1.52}; // of the full-order run with 2 % noise
     for (int j = 0; j < 2; ++j)
     {
@@ -150,6 +151,20 @@ bootstrap_samples = 60
     EXPECT_EQ(refused.code, 2);
     expect_in(refused.errors, "was trained without inertia; train it again with [fluid] inertia");
     EXPECT_EQ(check("reference-2d", "some").code, 2);
+  }
+
+  TEST_F(CalibrateVerb, RefusesToMixDataWithAndWithoutInertia)
+  {
+    folder.write("curve.csv", table);
+    folder.write("computed.csv", table);
+    std::string text = sidecar;
+    text.insert(text.find("[field]"), "[fluid]\ninertia = \"none\"\n");
+    folder.write("computed.toml", text);
+    const Outcome outcome = calibrate_tool({"calibrate", "reference-2d", folder.path / "fit.toml", "--check", "--data",
+                                            folder.path / "curve.csv", folder.path / "computed.csv"});
+    EXPECT_EQ(outcome.code, 2);
+    expect_in(outcome.errors, "computed was computed without inertia");
+    expect_in(outcome.errors, "choose with --inertia");
   }
 
   TEST_F(CalibrateVerb, CheckFindsWhatAFitWouldFind)

@@ -240,6 +240,18 @@ namespace swimtwin
     expect_in(message_for_sidecar("period = 3", "period = = 3"), "data.toml:5:10: this is not valid TOML");
   }
 
+  TEST(ObservationSidecar, OnlyComputedDataAreWithoutInertia)
+  {
+    EXPECT_TRUE(read_observations(ObservationFiles(example_curve).file).has_inertia);
+    const std::string without = replaced(example_sidecar, "[field]", "[fluid]\ninertia = \"none\"\n[field]");
+    EXPECT_FALSE(read_observations(ObservationFiles(example_curve, without).file).has_inertia);
+    const std::string measured = replaced(without, "synthetic = true", "synthetic = false");
+    expect_in(ObservationFiles(example_curve, measured).message(),
+              "which data can be without only if they are computed");
+    const std::string odd = replaced(without, "inertia = \"none\"", "inertia = \"some\"");
+    expect_in(ObservationFiles(example_curve, odd).message(), "inertia");
+  }
+
   TEST(ObservationSidecar, AsksForTheTemperatureOfMeasuredFluid)
   {
     const std::string measured = replaced(example_sidecar, "synthetic = true", "synthetic = false");
