@@ -5,9 +5,12 @@
 #include <app/written_files.h>
 #include <datasets/files/input_file.h>
 #include <datasets/reduced/reduced_model.h>
-#include <datasets/scene/scene.h>
+#include <datasets/scene/inertia_terms.h>
+#include <datasets/system/console.h>
 #include <datasets/system/error.h>
+#include <fmt/format.h>
 #include <twin/run/twin_service.h>
+#include <twin/stream/recorded_lines.h>
 
 #include <memory>
 
@@ -33,16 +36,33 @@ namespace swimtwin
       return digest(all);
     }
 
+    void warn_of_neglected_inertia(const Scene &scene, const TwinConfig &config)
+    {
+      constexpr double noticed = 0.01;
+      const double     share =
+          inertia_shares(scene, 1. / config.period_s, scene.fluid->viscosity_Pa_s, scene.tail->young_modulus_Pa)
+              .together();
+      if (!config.options.densities.any() && share > noticed)
+        warn(fmt::format("the twin's swimmer has no inertia, an estimated {:.2g} % of the displacement at {:.4g} Hz: a "
+                         "swimmer that has is taken for one of other stiffness and magnetization",
+                         100. * share, 1. / config.period_s));
+    }
+
     void watch(const TwinCommand &command)
     {
       const std::filesystem::path file   = find_model(command.model);
       const ReducedModel          model  = read_reduced_model(file);
-      const TwinConfig            config = read_twin_config(command.config, model);
+      TwinConfig                  config = read_twin_config(command.config, model);
       if (command.in_real_time && command.recording.empty())
         throw InputError("--real-time is for a recording (--replay); a stream has its own pace: leave it out.");
       if (config.steering && !command.recording.empty())
         throw InputError("a recording (--replay) cannot be steered; leave --replay or [goal] out.");
-      const Scene   scene = parse_scene(model.scene_text, model.scene_name + ".toml");
+      const bool  has_recorded_none = !command.recording.empty() && !has_inertia(command.recording);
+      const Scene scene             = parse_scene(model.scene_text, model.scene_name + ".toml");
+      if (has_recorded_none && !config.states_inertia)
+        config.options.densities = {};
+      if (!has_recorded_none)
+        warn_of_neglected_inertia(scene, config);
       OutputRequest request =
           output_request(command.common, written_by::twin(), {file, command.config, command.recording});
       for (const auto &input : config.files())

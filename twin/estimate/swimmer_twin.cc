@@ -51,7 +51,8 @@ namespace swimtwin
   }
 
   SwimmerTwin::SwimmerTwin(const ReducedModel &model, const TwinOptions &options)
-      : options_(options), swimmer_(model), axis_(model.tail), layout_(options.parameters, swimmer_.n_states()),
+      : options_(options), swimmer_(model, options.densities), axis_(model.tail),
+        layout_(options.parameters, swimmer_.n_states()),
         process_(swimmer_, options.nominal, layout_, field_, options.noise, options.largest_step_s),
         camera_(process_, axis_, options.first_sigmas), filter_(process_, camera_, options.filter),
         hypotheses_(jump_hypotheses(layout_, swimmer_.length_m()))
@@ -81,7 +82,9 @@ namespace swimtwin
     }
     sd.head<2>().setConstant(swimmer_.length_m());
     sd.segment(3, swimmer_.n_modes()) = start.shape_sd_m;
-    Belief belief                     = Belief::independent(mean, sd);
+    if (const int n = swimmer_.n_velocities(); swimmer_.has_inertia())
+      sd.segment(n, n) = sd.head(n) / start.period_s;
+    Belief belief = Belief::independent(mean, sd);
     if (kept_parameters_)
     {
       const Eigen::Index k                = kept_parameters_->size();
@@ -266,7 +269,7 @@ namespace swimtwin
   {
     filter_.gated_from_s       = now_s() + options_.search_pose_after_s;
     const Eigen::VectorXd zero = Eigen::VectorXd::Zero(layout_.n_states());
-    for (int i = 0; i < layout_.n_swimmer(); ++i)
+    for (int i = 0; i < swimmer_.n_velocities(); ++i)
     {
       Eigen::VectorXd direction = zero;
       direction[i]              = i < 2    ? swimmer_.length_m()

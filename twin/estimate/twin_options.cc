@@ -39,7 +39,7 @@ namespace swimtwin
     options.largest_step_s      = period_s / 40.;
     options.noise               = model_noise(model, length_m, period_s);
     options.first_sigmas        = {0.003 * length_m, std::numbers::pi / 180.};
-    options.start               = {{}, 0.5, 0.1 * amplitude_m};
+    options.start               = {{}, 0.5, 0.1 * amplitude_m, period_s};
     options.filter.window_s     = std::max(1., 2. * period_s);
     options.jumps.interval_s    = 0.5 * period_s;
     options.jumps.settle_s      = 4. * period_s;

@@ -15,7 +15,8 @@ namespace swimtwin
   {
     std::optional<double> angle_rad; ///< of the head in the laboratory; none: seen, or along the field
     double                angle_sd_rad = 0.5;
-    Eigen::VectorXd       shape_sd_m; ///< from straight, of each mode
+    Eigen::VectorXd       shape_sd_m;    ///< from straight, of each mode
+    double                period_s = 1.; ///< in which a swimmer with inertia may move as far as it may be off
   };
 
   struct JumpOptions
@@ -32,7 +33,8 @@ namespace swimtwin
 
   struct TwinOptions
   {
-    SwimmerParameters nominal; ///< where the logarithms are 0
+    SwimmerParameters nominal;        ///< where the logarithms are 0
+    InertialDensities densities = {}; ///< inertia that the swimmer carries
     TwinParameters    parameters;
     ModelNoise        noise;
     FilterOptions     filter;

@@ -1,6 +1,7 @@
 #include <datasets/scene/scene.h>
 #include <datasets/text/text_decoding.h>
 #include <datasets/text/toml_table.h>
+#include <twin/motion/carried_densities.h>
 #include <twin/lab/lab_config.h>
 
 #include <fmt/format.h>
@@ -169,6 +170,8 @@ namespace swimtwin
     int                seed = 1;
     top.integer("seed", {"", not_negative}, seed);
     top.number("duration_s", {"s", positive}, config.duration_s);
+    std::string inertia = "auto";
+    top.word("inertia", Need::optional, inertia_choices, inertia);
     top.number("real_time", {"", not_negative}, config.real_time);
     for (const char *table : {"swimmer", "camera", "coils", "change", "temperature"})
       top.table(table);
@@ -181,6 +184,7 @@ namespace swimtwin
     read_coils(document, scene, config);
     read_events(document, config.options);
     config.options.largest_step_s = 0.025 / config.frequency_Hz;
+    config.options.densities      = carried_densities(inertia, model, scene, config.frequency_Hz);
     return config;
   }
 
@@ -191,7 +195,8 @@ namespace swimtwin
     {
     public:
       LabRun(const ReducedModel &model, const LabConfig &config, const LabEnds &ends)
-          : config_(config), ends_(ends), swimmer_(model), axis_(model.tail), lab_(swimmer_, axis_, config.options)
+          : config_(config), ends_(ends), swimmer_(model, config.options.densities), axis_(model.tail),
+            lab_(swimmer_, axis_, config.options)
       {
         if (config.is_steered)
           return;
@@ -208,7 +213,7 @@ namespace swimtwin
           if (config_.is_steered && !tick_until(next_s))
             return;
           const CapturedFrame frame = lab_.next_frame();
-          ends_.truth({lab_.now_s(), lab_.truth()});
+          ends_.truth({lab_.now_s(), pose_shape_and_parameters()});
           if (!frame.observations.empty())
             post(frame.arrives_s, frame_line(frame, config_.tells_sigmas));
           if (!deliver_until(lab_.now_s()))
@@ -218,6 +223,15 @@ namespace swimtwin
       }
 
     private:
+      /// Of a swimmer with inertia without its velocities.
+      Eigen::VectorXd pose_shape_and_parameters() const
+      {
+        const Eigen::VectorXd &all = lab_.truth();
+        Eigen::VectorXd        some(swimmer_.n_velocities() + n_twin_parameters);
+        some << all.head(swimmer_.n_velocities()), all.tail(n_twin_parameters);
+        return some;
+      }
+
       void post(const double arrives_s, std::string line) { on_the_way_.push({arrives_s, n_sent_++, std::move(line)}); }
 
       bool deliver_until(const double time_s)

@@ -53,9 +53,10 @@ namespace swimtwin
   struct LaboratoryOptions
   {
     SwimmerParameters         nominal;
-    TwinParameters            truth;       ///< values and drifts; standard deviations do not matter
-    ModelNoise                noise;       ///< of its motion
-    Eigen::VectorXd           first_state; ///< of the swimmer; empty: straight, at rest
+    InertialDensities         densities = {}; ///< inertia that its swimmer carries
+    TwinParameters            truth;          ///< values and drifts; standard deviations do not matter
+    ModelNoise                noise;          ///< of its motion
+    Eigen::VectorXd           first_state;    ///< of the swimmer; empty: straight, at rest
     LaboratoryCamera          camera;
     LaboratoryCoils           coils;
     TemperatureRamp           ramp;

@@ -1,7 +1,8 @@
 #include <rom/swimmer/state_scale.h>
 #include <twin/motion/state_transition.h>
 
-// Letters: u = (angle, shape), before them the height if the resistance depends on it, F = du/dt, J = dF/du,
+// Letters: u = (angle, shape), before them the height if the resistance depends on it, behind them the velocities of
+// a swimmer with inertia; F = du/dt, J = dF/du,
 // Z_i = u_i - u_0 at the stages, h length of the step: Z_i = h sum_j A_ij F(u_0 + Z_j). What is left of the position
 // follows by the same rule, because nothing depends on it.
 
@@ -15,7 +16,7 @@ namespace swimtwin
   }                                              // namespace
 
   StateTransition::StateTransition(const ReducedSwimmer &swimmer)
-      : swimmer_(swimmer), n_(swimmer.n_states()), k_(swimmer.n_modes() + 1 + swimmer.resistance().depends_on_height()),
+      : swimmer_(swimmer), n_(swimmer.n_states()), k_(n_ - 2 + swimmer.resistance().depends_on_height()),
         free_(n_ - k_), rule_(radau_rule()), motion_(swimmer.make_motion()), increments_(n_stages * k_),
         correction_(n_stages * k_), matrix_(n_stages * k_, n_stages * k_), factors_(n_stages * k_),
         loads_(n_stages * k_, k_ + n_step_parameters), inputs_(n_, n_step_parameters), by_start_(n_, n_),

@@ -36,7 +36,7 @@ namespace swimtwin
 
   private:
     static constexpr int n_stages = RadauRule::n_stages;
-    static constexpr int max_size = n_stages * (max_modes + 2);
+    static constexpr int max_size = n_stages * (2 * max_velocities - 1); ///< with inertia, and with the height
     using StageMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, max_size, max_size>;
     using StageVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, max_size, 1>;
 

@@ -105,6 +105,9 @@ namespace swimtwin
     noise(2, 2)               = root * noise_.angle_rad;
     for (Eigen::Index i = 0; i < noise_.shape_m.size(); ++i)
       noise(3 + i, 3 + i) = root * noise_.shape_m[i];
+    if (const int n = swimmer_.n_velocities();
+        swimmer_.has_inertia()) // forgotten within a step; keeps the root regular
+      noise.diagonal().segment(n, n) = noise.diagonal().head(n) / largest_step_s_;
     for (int i = 0; i < n_twin_parameters; ++i)
       if (const auto p = static_cast<TwinParameter>(i); layout_.is_estimated(p))
         noise.col(layout_.place(p)) = root * layout_.parameters()[p].drift * transition.col(layout_.place(p));

@@ -24,7 +24,7 @@ namespace swimtwin
     if (config.drive)
       twin_.field().play(config.drive_start_s, *config.drive);
     if (config.steering)
-      pilot_.emplace(twin_, *config.steering);
+      pilot_.emplace(twin_, model, *config.steering);
   }
 
   void TwinSession::greet()

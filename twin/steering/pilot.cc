@@ -26,10 +26,9 @@ namespace swimtwin
     return "";
   }
 
-  Pilot::Pilot(SwimmerTwin &twin, const SteeringConfig &config)
-      : twin_(twin), config_(config),
-        motion_(carrier_motion(twin.swimmer(), twin.options().nominal, config.goal.carrier)),
-        limiter_(config.goal.limits)
+  Pilot::Pilot(SwimmerTwin &twin, const ReducedModel &model, const SteeringConfig &config)
+      : twin_(twin), swimmer_(model), config_(config),
+        motion_(carrier_motion(swimmer_, twin.options().nominal, config.goal.carrier)), limiter_(config.goal.limits)
   {
     require_followable(config.goal.path, motion_.lever_m);
     clock_.frequency_Hz = config.goal.carrier.frequency_Hz;
@@ -59,8 +58,7 @@ namespace swimtwin
     laid_.angle_rad = angle_rad;
     laid_.has_path  = 1;
     path_           = config_.goal.path.placed(angle_rad, place_m);
-    follower_.emplace(twin_.swimmer(), twin_.options().nominal, *path_, motion_.advance_m,
-                      config_.goal.options.follower);
+    follower_.emplace(swimmer_, twin_.options().nominal, *path_, motion_.advance_m, config_.goal.options.follower);
   }
 
   std::optional<RecentMotion> Pilot::look(const double now_s)
@@ -86,7 +84,7 @@ namespace swimtwin
     record.doubt_m        = doubt_m(recent, now_s);
     improved.background_T = twin_.process().background_T(recent.now.mean);
     follower_->believe(twin_.process().parameters(recent.now.mean), config_.weighs_doubt ? record.doubt_m : 0.);
-    const SwimmerState state = recent.now.mean.head(twin_.layout().n_swimmer());
+    const SwimmerState state = recent.now.mean.head(swimmer_.n_states());
     const double       now   = recent.position_m.now();
     const FollowerStep decision =
         follower_->improve(improved, now, now + interval_s() * clock_.frequency_Hz, state, recent.position_m, arc_m_);

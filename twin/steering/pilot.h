@@ -40,7 +40,7 @@ namespace swimtwin
   {
   public:
     /// `twin` must live as long. Throws InputError for a path that the twin's swimmer cannot follow.
-    Pilot(SwimmerTwin &twin, const SteeringConfig &config);
+    Pilot(SwimmerTwin &twin, const ReducedModel &model, const SteeringConfig &config);
 
     double interval_s() const { return 1. / config_.goal.options.decisions_per_second; }
     bool   is_due(const double now_s) const { return now_s >= next_s_ - 1e-9; }
@@ -79,6 +79,7 @@ namespace swimtwin
     void                        compose(PlayRecord &record);
 
     SwimmerTwin                &twin_;
+    ReducedSwimmer              swimmer_; ///< that plans are made with: without inertia
     SteeringConfig              config_;
     CarrierMotion               motion_;
     CoilLimiter                 limiter_;

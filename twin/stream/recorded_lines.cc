@@ -296,4 +296,11 @@ namespace swimtwin
     stream.warnings       = problems.texts(Severity::warning);
     return stream;
   }
+
+  bool has_inertia(const std::filesystem::path &recording)
+  {
+    const std::filesystem::path toml = is_sidecar(recording) ? recording : sidecar_of(recording);
+    DataProblems                problems; // those of the sidecar are told when its tracks are read
+    return !std::filesystem::exists(toml) || read_observation_sidecar(toml, problems).has_inertia;
+  }
 } // namespace swimtwin

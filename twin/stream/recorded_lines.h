@@ -26,4 +26,7 @@ namespace swimtwin
   /// those of earlier ones. A row that is wrong in itself becomes a line with a fault, about where it stands. Throws
   /// InputError that lists every problem of a file that is wrong as a whole.
   RecordedStream recorded_lines(const std::filesystem::path &file);
+
+  /// False for tracks whose sidecar says that they were computed without.
+  bool has_inertia(const std::filesystem::path &recording);
 } // namespace swimtwin

@@ -4,6 +4,7 @@
 #include <datasets/system/error.h>
 #include <datasets/text/text_decoding.h>
 #include <datasets/text/toml_table.h>
+#include <twin/motion/carried_densities.h>
 #include <twin/stream/twin_config.h>
 
 #include <fmt/format.h>
@@ -197,6 +198,9 @@ namespace swimtwin
     TomlTable          top(document, "");
     std::string        prior;
     top.text("prior", prior);
+    std::string inertia = "auto";
+    top.word("inertia", Need::optional, inertia_choices, inertia);
+    config.states_inertia = top.has("inertia");
     for (const char *table :
          {"swimmer", "parameters", "field", "camera", "start", "model_error", "filter", "watch", "output", "goal"})
       top.table(table);
@@ -210,7 +214,8 @@ namespace swimtwin
                         "stands beside [goal], whose carrier is what plays; leave [field] out.");
       config.period_s = 1. / config.steering->goal.carrier.frequency_Hz;
     }
-    config.options = default_twin_options(model, swimmer_parameters(scene), 1. / config.period_s);
+    config.options           = default_twin_options(model, swimmer_parameters(scene), 1. / config.period_s);
+    config.options.densities = carried_densities(inertia, model, scene, 1. / config.period_s);
     config.options.parameters[TwinParameter::stiffness]     = {0., 0.1, 1e-3};
     config.options.parameters[TwinParameter::magnetization] = {0., 0.1, 1e-3};
     config.output.forecast_every_s                          = config.period_s;

@@ -33,6 +33,7 @@ namespace swimtwin
   {
     std::string                   text;
     TwinOptions                   options;
+    bool                          states_inertia = false; ///< or leaves the choice to what there is
     WatchOptions                  watch;
     CameraConfig                  camera;
     OutputConfig                  output;

@@ -1,6 +1,7 @@
 #include <tests/twin/open_swimmer.h>
 #include <twin/estimate/swimmer_twin.h>
 #include <twin/lab/laboratory.h>
+#include <twin/motion/carried_densities.h>
 
 #include <gtest/gtest.h>
 
@@ -105,6 +106,48 @@ namespace swimtwin
           twin.see(frame.stamp_s, frame.observations);
       EXPECT_FALSE(twin.is_searching_delay());
       EXPECT_NEAR(twin.belief().mean[twin.layout().place(TwinParameter::camera_delay)], 0.183, 0.002);
+    }
+
+    /// E/mu over its truth, and how many standard deviations it is off.
+    std::pair<double, double> stiffness_found(const ReducedModel &model, const LaboratoryOptions &seen_in,
+                                              const InertialDensities &densities)
+    {
+      const ReducedSwimmer swimmer(model, seen_in.densities);
+      const TailAxis       axis(model.tail);
+      Laboratory           lab(swimmer, axis, seen_in);
+      TwinOptions          options                     = default_twin_options(model, seen_in.nominal, 1.);
+      options.densities                                = densities;
+      options.parameters[TwinParameter::stiffness]     = {0., 0.1, 1e-3};
+      options.parameters[TwinParameter::magnetization] = {0., 0.1, 1e-3};
+      SwimmerTwin twin(model, options);
+      for (FieldSignal *field : {&lab.command(), &twin.field()})
+        field->play_sinusoid(0., 5e-3, 5e-3, 1.);
+      for (int i = 0; i < 600; ++i)
+        if (const CapturedFrame frame = lab.next_frame(); !frame.observations.empty())
+          twin.see(frame.stamp_s, frame.observations);
+      const int    place = twin.layout().place(TwinParameter::stiffness);
+      const double off   = twin.belief().mean[place] - seen_in.truth[TwinParameter::stiffness].value;
+      return {std::exp(off), std::abs(off) / twin.belief().standard_deviation(place)};
+    }
+
+    // A head as dense as the reference's swings a little later, which a swimmer without inertia can only be stiffer
+    // for.
+    TEST(SwimmerTwin, KnowsASwimmerWithInertiaIfItHasIt)
+    {
+      const ReducedModel model = read_reduced_model(std::string(places::models) + "/reference-2d.h5");
+      LaboratoryOptions  lab;
+      lab.nominal   = open_parameters(model);
+      lab.densities = carried_densities("full", model, parse_scene(model.scene_text, "s.toml"), 1.);
+      lab.truth[TwinParameter::stiffness]     = {0.1, 1., 0.};
+      lab.truth[TwinParameter::magnetization] = {0.1, 1., 0.};
+      lab.camera.position_sigma_m             = 2e-5;
+      lab.camera.angle_sigma_rad              = 0.0175;
+      const auto [with, sigmas_with]          = stiffness_found(model, lab, lab.densities);
+      const auto [without, sigmas_without]    = stiffness_found(model, lab, {});
+      EXPECT_NEAR(with, 1., 0.03);
+      EXPECT_LT(sigmas_with, 3.);
+      EXPECT_GT(without, 1.08);
+      EXPECT_GT(sigmas_without, 5.);
     }
 
     TEST(SwimmerTwin, EndsAlikeWhenFramesComeLateAndShuffled)

@@ -2,6 +2,7 @@
 #include <tests/control/small_model.h>
 #include <tests/rom/example_model.h>
 #include <tests/twin/open_swimmer.h>
+#include <twin/motion/carried_densities.h>
 #include <twin/motion/state_transition.h>
 
 #include <gtest/gtest.h>
@@ -79,16 +80,48 @@ namespace swimtwin
       EXPECT_LT(std::abs(fine.state[2] - exact[2]), 1e-4);
     }
 
+    InertialDensities all_densities(const ReducedModel &model)
+    {
+      return carried_densities("full", model, parse_scene(model.scene_text, "scene.toml"), 1.);
+    }
+
+    TEST(StateTransition, LeadsASwimmerWithInertiaWhereTheIntegratorLeads)
+    {
+      const ReducedModel   model = read_reduced_model(std::string(places::models) + "/reference-2d.h5");
+      const ReducedSwimmer swimmer(model, all_densities(model));
+      RunRequest           request = example_request(model);
+      request.initial_state        = state_at_rest(swimmer);
+      request.n_periods            = 1;
+      const SwimmerState exact =
+          SwimmerIntegrator(swimmer, {.relative_tolerance = 1e-10}).run(request).at_period_end.back();
+      const Steps fine = go(swimmer, request, 320);
+      ASSERT_TRUE(fine.completed);
+      const double stroke = 0.03 * swimmer.length_m();
+      EXPECT_LT((fine.state - exact).head<2>().norm() / stroke, 1e-4);
+      EXPECT_LT(std::abs(fine.state[2] - exact[2]), 1e-4);
+      // Velocities follow the forces: they are right as soon as pose and shape are.
+      EXPECT_LT((fine.state - exact).tail(swimmer.n_velocities()).head<2>().norm() * request.n_periods /
+                    request.drive.frequency_Hz / stroke,
+                1e-3);
+    }
+
     TEST(StateTransition, HasTheDerivativesOfItsOwnStep)
     {
-      for (const auto &[keeps_area, depends_on_height] : {std::pair{false, false}, {true, false}, {false, true}})
+      struct Kind
+      {
+        bool keeps_area = false, depends_on_height = false, has_inertia = false;
+      };
+      for (const auto &[keeps_area, depends_on_height, has_inertia] :
+           {Kind{}, Kind{.keeps_area = true}, Kind{.depends_on_height = true}, Kind{.has_inertia = true}})
       {
         const ReducedModel   model = example_model({.n_modes           = 4,
                                                     .n_followers       = keeps_area ? 0 : 2,
                                                     .keeps_area        = keeps_area,
-                                                    .depends_on_height = depends_on_height});
-        const ReducedSwimmer swimmer(model);
+                                                    .depends_on_height = depends_on_height,
+                                                    .has_inertia       = has_inertia});
+        const ReducedSwimmer swimmer(model, has_inertia ? all_densities(model) : InertialDensities());
         RunRequest           request = example_request(model);
+        request.initial_state        = state_at_rest(swimmer);
         request.initial_state[2]     = 0.3;
         const Eigen::Vector2d background(2e-4, -3e-4);
         const Steps           steps = go(swimmer, request, 5, 0.15, background);

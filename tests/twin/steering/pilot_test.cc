@@ -173,7 +173,8 @@ namespace swimtwin
       try
       {
         SteeredLab steered(steered_model(), goal, twin, steered_lab);
-        Pilot pilot(*std::make_unique<SwimmerTwin>(steered_model(), steered.config.options), *steered.config.steering);
+        Pilot      pilot(*std::make_unique<SwimmerTwin>(steered_model(), steered.config.options), steered_model(),
+                         *steered.config.steering);
       }
       catch (const InputError &error)
       {

@@ -1,4 +1,5 @@
 #include <tests/datasets/temporary_folder.h>
+#include <tests/places.h>
 #include <twin/stream/line_reader.h>
 #include <twin/stream/recorded_lines.h>
 
@@ -11,6 +12,14 @@ namespace swimtwin
 {
   namespace
   {
+    TEST(RecordedLines, KnowWhetherTheyWereComputedWithoutInertia)
+    {
+      const std::string folder = std::string(places::source) + "/datasets/observations/";
+      EXPECT_FALSE(has_inertia(folder + "synthetic-tracks.csv"));
+      EXPECT_FALSE(has_inertia(folder + "synthetic-trackmate.toml"));
+      EXPECT_TRUE(has_inertia("log-without-a-sidecar.csv"));
+    }
+
     const std::string field   = "source = \"imagined\"\nsynthetic = true\nswimmer = \"s\"\nmeasured_by = \"m\"\n"
                                 "period = \"periodic\"\nbody_length_m = 8e-3\n[field]\nbx_T = 4e-3\nby_T = 4e-3\n";
     const std::string sidecar = field + "[camera]\nhead_first = [-1, 0]\nposition_sigma_m = 1e-5\n";
