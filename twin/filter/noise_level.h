@@ -18,9 +18,12 @@ namespace swimtwin
     /// `square`: of an innovation, per row; `explained`: the part of its variance that is the state's.
     void learn(const double square, const double explained)
     {
-      n = std::min(n + 1., memory);
-      // The first guess counts as ten observations; a variance stays positive.
-      const double share = 1. / (n + 10.);
+      // What square - explained is off by grows with the variance of both: where the state is unknown, as at a start,
+      // an innovation tells nothing of the noise. The first guess counts as ten observations; a variance stays
+      // positive.
+      const double certainty = variance / (variance + explained), weight = certainty * certainty;
+      n                  = std::min(n + weight, memory);
+      const double share = weight / (n + 10.);
       variance           = std::max(variance + share * (square - explained - variance), 0.01 * variance);
     }
   };
