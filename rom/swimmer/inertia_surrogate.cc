@@ -240,11 +240,9 @@ namespace swimtwin
   void InertiaSurrogate::evaluate(const Eigen::VectorXd &z, const Eigen::VectorXd &z_rate,
                                   const VelocityVector &velocity, InertiaValues &v) const
   {
-    monomials_.evaluate_with_gradient(z, v.monomials);
-    v.rates.col(0)           = v.monomials.col(0);
-    v.rates.col(1).noalias() = v.monomials.rightCols(z.size()) * z_rate;
+    monomials_.evaluate_with_rate(z, z_rate, v.rates);
     set_masses(v);
-    quadratic_.evaluate(v.monomials.leftCols(1), v.quadratic_entries.leftCols(1));
+    quadratic_.evaluate(v.rates.leftCols(1), v.quadratic_entries.leftCols(1));
     set_force(velocity, v);
   }
 
@@ -252,6 +250,7 @@ namespace swimtwin
                                        const VelocityVector &velocity, InertiaValues &v) const
   {
     evaluate(z, z_rate, velocity, v);
+    monomials_.evaluate_with_gradient(z, v.monomials);
     v.force_by_velocity.setZero();
     for (std::size_t material = 0; material < masses_.size(); ++material)
       if (const auto &at = v.materials[material]; masses_[material].density > 0.)

@@ -83,6 +83,19 @@ namespace swimtwin
       value[at] = value[parent] * z[k];
   }
 
+  void MonomialTable::evaluate_with_rate(const Coordinates &z, const Coordinates &z_rate,
+                                         Eigen::Ref<Eigen::MatrixXd> values) const
+  {
+    double *const value = values.data(), *const rate = values.col(1).data();
+    value[constant_place_] = 1.;
+    rate[constant_place_]  = 0.;
+    for (const auto &[at, parent, k] : order_)
+    {
+      value[at] = value[parent] * z[k];
+      rate[at]  = rate[parent] * z[k] + value[parent] * z_rate[k];
+    }
+  }
+
   void MonomialTable::evaluate_with_gradient(const Coordinates &z, Eigen::Ref<Eigen::MatrixXd> values) const
   {
     evaluate(z, values);

@@ -24,6 +24,8 @@ namespace swimtwin
 
     /// Column 0 of `values` (size() rows) becomes the monomials at z.
     void evaluate(const Coordinates &z, Eigen::Ref<Eigen::MatrixXd> values) const;
+    /// Column 0 as above; column 1 becomes their rates where z changes at z_rate.
+    void evaluate_with_rate(const Coordinates &z, const Coordinates &z_rate, Eigen::Ref<Eigen::MatrixXd> values) const;
     /// Column 0 as above; column 1 + k becomes their derivatives by z_k.
     void evaluate_with_gradient(const Coordinates &z, Eigen::Ref<Eigen::MatrixXd> values) const;
 
