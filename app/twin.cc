@@ -39,9 +39,9 @@ namespace swimtwin
     void warn_of_neglected_inertia(const Scene &scene, const TwinConfig &config)
     {
       constexpr double noticed = 0.01;
-      const double     share =
-          inertia_shares(scene, 1. / config.period_s, scene.fluid->viscosity_Pa_s, scene.tail->young_modulus_Pa)
-              .together();
+      const double     share   = inertia_shares(scene, 1. / config.period_s, config.options.nominal.viscosity_Pa_s,
+                                                config.options.nominal.young_modulus_Pa)
+                               .together();
       if (!config.options.densities.any() && share > noticed)
         warn(fmt::format("the twin's swimmer has no inertia, an estimated {:.2g} % of the displacement at {:.4g} Hz: a "
                          "swimmer that has is taken for one of other stiffness and magnetization",
@@ -57,7 +57,7 @@ namespace swimtwin
         throw InputError("--real-time is for a recording (--replay); a stream has its own pace: leave it out.");
       if (config.steering && !command.recording.empty())
         throw InputError("a recording (--replay) cannot be steered; leave --replay or [goal] out.");
-      const bool  has_recorded_none = !command.recording.empty() && !has_inertia(command.recording);
+      const bool  has_recorded_none = !command.recording.empty() && !recorded_with_inertia(command.recording);
       const Scene scene             = parse_scene(model.scene_text, model.scene_name + ".toml");
       if (has_recorded_none && !config.states_inertia)
         config.options.densities = {};

@@ -105,8 +105,7 @@ namespace swimtwin
     const Scene                 scene     = parse_scene(model.scene_text, model.scene_name + ".toml");
     std::string                 text      = model.scene_text;
     Overrides                   overrides = physics(swimmer);
-    if (carried.any())
-      overrides.push_back(inertia(carried));
+    overrides.push_back(inertia(carried));
     if (is_sinusoidal(data.field))
     {
       set_field(overrides, data.field, swimmer.field_scale);

@@ -12,8 +12,8 @@ namespace swimtwin
                               *fitted_field_period_name = "fitted-field.json";
 
   /// The model's scene with the swimmer's stiffness, viscosity, magnetization and lengths, in the field of the data set
-  /// at the swimmer's place, at the scene's own frequency, with the inertia that the fit carried or else the scene's
-  /// own choice. Displacement scale and offset belong to the recording and do not enter. Made to stand in `folder` as
+  /// at the swimmer's place, at the scene's own frequency, with the inertia that the fit carried.
+  /// Displacement scale and offset belong to the recording and do not enter. Made to stand in `folder` as
   /// fitted_scene_name; if the data's field is a program, the scaled program is written to fitted_field_name there,
   /// else such a file is removed.
   Scene fitted_scene(const ReducedModel &model, const CalibratedSwimmer &swimmer, const InertiaTerms &carried,

@@ -4,6 +4,7 @@
 #include <datasets/scene/inertia_terms.h>
 #include <datasets/scene/mirror_plane.h>
 #include <datasets/surface/closed_surface.h>
+#include <fom/fluid/streamline_stabilization.h>
 #include <fom/algebra/linear_system.h>
 #include <fom/algebra/solver_memory.h>
 #include <fom/body/mesh_around.h>
@@ -71,7 +72,9 @@ namespace swimtwin
     /// Scenes whose inertia the scheme may not hold.
     void warn_of_inertia(const Scene &scene, RunPlan &plan)
     {
-      constexpr double largest_cell_reynolds_number = 200., largest_way_per_step = 0.2, far_enough = 2.5;
+      constexpr double resolved = StreamlineStabilization<2>::largest_resolved_reynolds_number;
+      // The estimate is of the largest cell at the largest speed, which do not meet.
+      constexpr double largest_cell_reynolds_number = 2. * resolved, largest_way_per_step = 0.2, far_enough = 2.5;
       const auto      &fluid = *scene.fluid;
       const double     L     = scene.body_length_m();
       const double     speed = std::max(largest_imposed_speed_m_s(scene), speed_of_swing(scene));
@@ -80,7 +83,7 @@ namespace swimtwin
         plan.warnings.push_back(
             fmt::format("the Reynolds number of a cell is up to {:.3g}: above {:g} a dissipation that costs accuracy "
                         "keeps the flow smooth; lower [numerics] mesh_size_far_m = {:g} m",
-                        cell, largest_cell_reynolds_number, scene.numerics.mesh_size_far_m));
+                        cell, resolved, scene.numerics.mesh_size_far_m));
       if (const double way = speed * scene.time.time_step_s() / L; !scene.time.is_steady && way > largest_way_per_step)
         plan.warnings.push_back(
             fmt::format("the fluid goes {:.3g} body lengths per step: above {:g} the steps do not see what "

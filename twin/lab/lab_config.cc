@@ -16,7 +16,8 @@ namespace swimtwin
     constexpr Range part_of_all{0., 1., false, true, "be at least 0 and below 1"};
     constexpr Range any_factor{0., infinity, true, false, "be a positive factor"};
 
-    void read_lab_swimmer(const TomlDocument &document, const SwimmerParameters &nominal, TwinParameters &truth)
+    /// The viscosity becomes the nominal one, which inertia is compared with; the ratios stay those of the scene.
+    void read_lab_swimmer(const TomlDocument &document, SwimmerParameters &nominal, TwinParameters &truth)
     {
       SwimmerParameters values = nominal;
       TomlTable         table(document, "swimmer");
@@ -32,6 +33,11 @@ namespace swimtwin
           std::log(values.young_modulus_Pa / values.viscosity_Pa_s * nominal.viscosity_Pa_s / nominal.young_modulus_Pa);
       truth[TwinParameter::magnetization].value = std::log(values.magnetization_A_m / values.viscosity_Pa_s *
                                                            nominal.viscosity_Pa_s / nominal.magnetization_A_m);
+      const double thicker                      = values.viscosity_Pa_s / nominal.viscosity_Pa_s;
+      nominal.viscosity_Pa_s *= thicker;
+      nominal.young_modulus_Pa *= thicker;
+      nominal.magnetization_A_m *= thicker;
+      nominal.tail_magnetization_A_m *= thicker;
     }
 
     void read_spans(TomlTable &table, const std::string &name, std::vector<TimeSpan> &spans)
@@ -170,8 +176,7 @@ namespace swimtwin
     int                seed = 1;
     top.integer("seed", {"", not_negative}, seed);
     top.number("duration_s", {"s", positive}, config.duration_s);
-    std::string inertia = "auto";
-    top.word("inertia", Need::optional, inertia_choices, inertia);
+    const std::string inertia = read_inertia(top, model);
     top.number("real_time", {"", not_negative}, config.real_time);
     for (const char *table : {"swimmer", "camera", "coils", "change", "temperature"})
       top.table(table);
@@ -184,7 +189,7 @@ namespace swimtwin
     read_coils(document, scene, config);
     read_events(document, config.options);
     config.options.largest_step_s = 0.025 / config.frequency_Hz;
-    config.options.densities      = carried_densities(inertia, model, scene, config.frequency_Hz);
+    config.options.densities = carried_densities(inertia, model, scene, config.options.nominal, config.frequency_Hz);
     return config;
   }
 

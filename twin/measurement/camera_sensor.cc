@@ -98,7 +98,7 @@ namespace swimtwin
     }
     else
     {
-      const ShapeVector q      = state.tail(n - 3);
+      const ShapeVector q      = state.segment(3, process_.swimmer().n_modes());
       Eigen::Vector2d   body_m = Eigen::Vector2d::Zero(), seen_m;
       if (observation.kind == tail_point)
         body_m = axis_.position_m(observation.place, q, body_slopes_);

@@ -3,17 +3,18 @@
 
 #include <datasets/reduced/reduced_model.h>
 #include <datasets/scene/scene.h>
+#include <datasets/text/toml_table.h>
 #include <rom/swimmer/swimmer_parameters.h>
 
 #include <string>
-#include <vector>
 
 namespace swimtwin
 {
-  inline const std::vector<std::string> inertia_choices = {"none", "auto", "full"};
+  /// The entry `inertia` of a file: "none", "auto" (left out) or "full", which is a problem of the table where the
+  /// model has none.
+  std::string read_inertia(TomlTable &top, const ReducedModel &model);
 
-  /// `choice` is "none", "full", or "auto": all of it where the model has it and its scene's swimmer needs a term at
-  /// this frequency.
+  /// "auto": all of it where the model has it and the swimmer needs it at this frequency.
   InertialDensities carried_densities(const std::string &choice, const ReducedModel &model, const Scene &scene,
-                                      double frequency_Hz);
+                                      const SwimmerParameters &swimmer, double frequency_Hz);
 } // namespace swimtwin

@@ -297,10 +297,11 @@ namespace swimtwin
     return stream;
   }
 
-  bool has_inertia(const std::filesystem::path &recording)
+  bool recorded_with_inertia(const std::filesystem::path &recording)
   {
     const std::filesystem::path toml = is_sidecar(recording) ? recording : sidecar_of(recording);
     DataProblems                problems; // those of the sidecar are told when its tracks are read
-    return !std::filesystem::exists(toml) || read_observation_sidecar(toml, problems).has_inertia;
+    return recording.extension() == ".jsonl" || !std::filesystem::exists(toml) ||
+           read_observation_sidecar(toml, problems).has_inertia;
   }
 } // namespace swimtwin

@@ -28,5 +28,5 @@ namespace swimtwin
   RecordedStream recorded_lines(const std::filesystem::path &file);
 
   /// False for tracks whose sidecar says that they were computed without.
-  bool has_inertia(const std::filesystem::path &recording);
+  bool recorded_with_inertia(const std::filesystem::path &recording);
 } // namespace swimtwin

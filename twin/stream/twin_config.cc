@@ -198,9 +198,8 @@ namespace swimtwin
     TomlTable          top(document, "");
     std::string        prior;
     top.text("prior", prior);
-    std::string inertia = "auto";
-    top.word("inertia", Need::optional, inertia_choices, inertia);
-    config.states_inertia = top.has("inertia");
+    const std::string inertia = read_inertia(top, model);
+    config.states_inertia     = top.has("inertia");
     for (const char *table :
          {"swimmer", "parameters", "field", "camera", "start", "model_error", "filter", "watch", "output", "goal"})
       top.table(table);
@@ -214,8 +213,7 @@ namespace swimtwin
                         "stands beside [goal], whose carrier is what plays; leave [field] out.");
       config.period_s = 1. / config.steering->goal.carrier.frequency_Hz;
     }
-    config.options           = default_twin_options(model, swimmer_parameters(scene), 1. / config.period_s);
-    config.options.densities = carried_densities(inertia, model, scene, 1. / config.period_s);
+    config.options = default_twin_options(model, swimmer_parameters(scene), 1. / config.period_s);
     config.options.parameters[TwinParameter::stiffness]     = {0., 0.1, 1e-3};
     config.options.parameters[TwinParameter::magnetization] = {0., 0.1, 1e-3};
     config.output.forecast_every_s                          = config.period_s;
@@ -226,6 +224,7 @@ namespace swimtwin
       take_prior(config.prior, config.options);
     }
     read_swimmer(document, "swimmer", config.options.nominal);
+    config.options.densities = carried_densities(inertia, model, scene, config.options.nominal, 1. / config.period_s);
     read_parameters(document, config.options.parameters);
     read_camera(document, config.camera);
     read_start(document, config.options);

@@ -137,11 +137,12 @@ namespace swimtwin
       const ReducedModel model = read_reduced_model(std::string(places::models) + "/reference-2d.h5");
       LaboratoryOptions  lab;
       lab.nominal   = open_parameters(model);
-      lab.densities = carried_densities("full", model, parse_scene(model.scene_text, "s.toml"), 1.);
+      lab.densities = carried_densities("full", model, parse_scene(model.scene_text, "s.toml"), lab.nominal, 1.);
       lab.truth[TwinParameter::stiffness]     = {0.1, 1., 0.};
       lab.truth[TwinParameter::magnetization] = {0.1, 1., 0.};
       lab.camera.position_sigma_m             = 2e-5;
       lab.camera.angle_sigma_rad              = 0.0175;
+      lab.camera.tail_shares                  = {0.5};
       const auto [with, sigmas_with]          = stiffness_found(model, lab, lab.densities);
       const auto [without, sigmas_without]    = stiffness_found(model, lab, {});
       EXPECT_NEAR(with, 1., 0.03);

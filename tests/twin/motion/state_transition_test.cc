@@ -82,7 +82,8 @@ namespace swimtwin
 
     InertialDensities all_densities(const ReducedModel &model)
     {
-      return carried_densities("full", model, parse_scene(model.scene_text, "scene.toml"), 1.);
+      const Scene scene = parse_scene(model.scene_text, "scene.toml");
+      return carried_densities("full", model, scene, swimmer_parameters(scene), 1.);
     }
 
     TEST(StateTransition, LeadsASwimmerWithInertiaWhereTheIntegratorLeads)
@@ -112,7 +113,8 @@ namespace swimtwin
         bool keeps_area = false, depends_on_height = false, has_inertia = false;
       };
       for (const auto &[keeps_area, depends_on_height, has_inertia] :
-           {Kind{}, Kind{.keeps_area = true}, Kind{.depends_on_height = true}, Kind{.has_inertia = true}})
+           {Kind{}, Kind{.keeps_area = true}, Kind{.depends_on_height = true}, Kind{.has_inertia = true},
+            Kind{.depends_on_height = true, .has_inertia = true}})
       {
         const ReducedModel   model = example_model({.n_modes           = 4,
                                                     .n_followers       = keeps_area ? 0 : 2,

@@ -15,9 +15,9 @@ namespace swimtwin
     TEST(RecordedLines, KnowWhetherTheyWereComputedWithoutInertia)
     {
       const std::string folder = std::string(places::source) + "/datasets/observations/";
-      EXPECT_FALSE(has_inertia(folder + "synthetic-tracks.csv"));
-      EXPECT_FALSE(has_inertia(folder + "synthetic-trackmate.toml"));
-      EXPECT_TRUE(has_inertia("log-without-a-sidecar.csv"));
+      EXPECT_FALSE(recorded_with_inertia(folder + "synthetic-tracks.csv"));
+      EXPECT_FALSE(recorded_with_inertia(folder + "synthetic-trackmate.toml"));
+      EXPECT_TRUE(recorded_with_inertia("log-without-a-sidecar.csv"));
     }
 
     const std::string field   = "source = \"imagined\"\nsynthetic = true\nswimmer = \"s\"\nmeasured_by = \"m\"\n"
