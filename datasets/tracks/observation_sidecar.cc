@@ -73,8 +73,7 @@ namespace swimtwin
       table.number("temperature_C", {"degrees Celsius", above_freezing}, sidecar.temperature_C);
       table.choice("inertia", Need::optional, inertia_words, sidecar.has_inertia);
       if (!sidecar.has_inertia && !sidecar.synthetic)
-        table.note("inertia", "is \"none\", which data can be without only if they are computed; leave it out, or say "
-                              "synthetic = true.");
+        table.note("inertia", "can be said of computed data only; leave it out, or say synthetic = true.");
       note_all(table, problems);
       if (!sidecar.temperature_C && !sidecar.synthetic)
         problems.warning(fmt::format("{}: [fluid] temperature_C is missing; the viscosity of glycerol falls by 9 % per "

@@ -246,8 +246,7 @@ namespace swimtwin
     const std::string without = replaced(example_sidecar, "[field]", "[fluid]\ninertia = \"none\"\n[field]");
     EXPECT_FALSE(read_observations(ObservationFiles(example_curve, without).file).has_inertia);
     const std::string measured = replaced(without, "synthetic = true", "synthetic = false");
-    expect_in(ObservationFiles(example_curve, measured).message(),
-              "which data can be without only if they are computed");
+    expect_in(ObservationFiles(example_curve, measured).message(), "can be said of computed data only");
     const std::string odd = replaced(without, "inertia = \"none\"", "inertia = \"some\"");
     expect_in(ObservationFiles(example_curve, odd).message(), "inertia");
   }
