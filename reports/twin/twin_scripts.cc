@@ -69,6 +69,7 @@ unset multiplot
 left = 0.105; right = 0.875; top = 0.835; bottom = 0.115
 eval(map_panel)
 eval(colorbox_beside)
+set format cb '%g'
 set cblabel 'time (s)' offset 2.5,0
 set cbrange [t_min:t_max]
 plot data index 0 using 2:3:1 with lines lw 1.4 lc palette title 'head', \
