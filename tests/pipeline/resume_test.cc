@@ -25,6 +25,21 @@ namespace swimtwin
       ASSERT_EQ(std::filesystem::exists(folder / "checkpoint.h5"), checkpoint);
     }
 
+    /// Start a run and kill -9 it when it has written its first checkpoint, or the one after.
+    void interrupt_after(const int n_checkpoints, const ShrunkScene &what, const std::filesystem::path &folder)
+    {
+      ChildProcess      run(tool(simulate_arguments(what, folder)));
+      const std::string file = folder / "checkpoint.h5";
+      ASSERT_TRUE(run.wait_for_file(file));
+      std::error_code ignored;
+      const auto      first = std::filesystem::last_write_time(file, ignored);
+      if (n_checkpoints > 1)
+      {
+        ASSERT_TRUE(run.wait_until([&] { return std::filesystem::last_write_time(file, ignored) != first; }));
+      }
+      ASSERT_TRUE(run.kill());
+    }
+
     void expect_the_uninterrupted_motion(const std::filesystem::path &folder, const ShrunkScene &what = scene)
     {
       const Motion whole = simulate(what), resumed = read_motion(folder);
@@ -72,22 +87,11 @@ namespace swimtwin
   {
     const ShrunkScene across = scene.with({"head.angle_rad=1.5707963267948966"});
     const double      whole  = simulate(across).summary.power_imbalance.value();
-    for (const int checkpoints : {0, 1})
+    for (const int n_checkpoints : {1, 2})
     {
       const TemporaryFolder folder;
       const auto            run = folder.path / "run";
-      {
-        ChildProcess      child(tool(simulate_arguments(across, run)));
-        const std::string file = run / "checkpoint.h5";
-        ASSERT_TRUE(child.wait_for_file(file));
-        std::error_code ignored;
-        const auto      first = std::filesystem::last_write_time(file, ignored);
-        if (checkpoints > 0)
-        {
-          ASSERT_TRUE(child.wait_until([&] { return std::filesystem::last_write_time(file, ignored) != first; }));
-        }
-        ASSERT_TRUE(child.kill());
-      }
+      interrupt_after(n_checkpoints, across, run);
       simulate(across, run, {"--resume"});
       EXPECT_NEAR(read_motion(run).summary.power_imbalance.value(), whole, 1e-7);
     }
@@ -99,15 +103,7 @@ namespace swimtwin
     const ShrunkScene     sphere{"rotating-sphere-3d", {"variant=quick", "time.periods=0.4", "field.bx_T=3e-3"}};
     const TemporaryFolder folder;
     const auto            run = folder.path / "run";
-    {
-      ChildProcess      child(tool(simulate_arguments(sphere, run)));
-      const std::string file = run / "checkpoint.h5";
-      ASSERT_TRUE(child.wait_for_file(file));
-      std::error_code ignored;
-      const auto      first = std::filesystem::last_write_time(file, ignored);
-      ASSERT_TRUE(child.wait_until([&] { return std::filesystem::last_write_time(file, ignored) != first; }));
-      ASSERT_TRUE(child.kill());
-    }
+    interrupt_after(2, sphere, run);
     ASSERT_FALSE(std::filesystem::exists(run / "trajectory.csv"));
     simulate(sphere, run, {"--resume"});
     const Trajectory whole = simulate(sphere).trajectory, resumed = read_motion(run).trajectory;
