@@ -2,6 +2,7 @@
 // with the resistance of the meshed body, and laws that an elastic swimmer keeps.
 #include <fom/resistance/resistance.h>
 #include <fom/step/full_order_model.h>
+#include <tests/verification/balance_in_space.h>
 #include <tests/fom/shipped_scene.h>
 
 #include <Eigen/Dense>
@@ -294,15 +295,7 @@ namespace swimtwin
       FullOrderModel<3> model(scene, MPI_COMM_WORLD);
       for (int step = 0; step < 5; ++step)
         model.advance();
-      const PowerBalance before = model.balance();
-      model.advance();
-      const PowerBalance now  = model.balance();
-      const double       dt   = scene.time.time_step_s();
-      const double       work = .5 * dt * (before.magnetic + now.magnetic),
-                   missing =
-                       work -
-                       .5 * dt * (before.dissipation + now.dissipation + before.kinetic_outflow + now.kinetic_outflow) -
-                       (now.elastic_energy + now.kinetic_energy - before.elastic_energy - before.kinetic_energy);
+      const auto [work, missing] = advance_and_balance(model, scene.time.time_step_s());
       std::cout << "field across the plane, inertia " << inertia << ": balance open by " << missing / work << ", "
                 << model.coupling().counts().n_iterations << " iterations in " << model.counts().n_steps << " steps"
                 << std::endl;
