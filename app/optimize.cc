@@ -96,7 +96,8 @@ namespace swimtwin
                                    start_of(field),
                                    periods,
                                    samples};
-          write_trajectory_csv(folder / (file_name(field.name) + ".csv"), integrator.run(request).trajectory);
+          write_trajectory_csv(folder / (file_name(field.name) + ".csv"), integrator.run(request).trajectory,
+                               model.dimension());
         }
     }
 

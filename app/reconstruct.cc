@@ -111,7 +111,7 @@ namespace swimtwin
           current_program_version, common.command_line, scene.text, scene.hash, utc_time_now(), 0.};
       if (command.with_flow)
         write_flow_with_progress(command, scene, model, request, motion);
-      write_trajectory_csv(common.output / "trajectory.csv", motion.trajectory);
+      write_trajectory_csv(common.output / "trajectory.csv", motion.trajectory, model.dimension());
       write_snapshots(common.output / "snapshots.h5", shapes, provenance);
       write_run_summary_json(common.output / "summary.json", {summary, provenance});
 

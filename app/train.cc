@@ -46,6 +46,11 @@ namespace swimtwin
 
     void require_law_of_basis(const Scene &scene, const BasisChoice basis)
     {
+      if (basis != BasisChoice::bending && scene.dimension == 3)
+        throw InputError(
+            fmt::format("{} is in three dimensions, where the shape's coordinates are bending angles: leave "
+                        "--basis out",
+                        scene.name));
       if (basis != BasisChoice::bending && scene.tail->law != MaterialModel::st_venant_kirchhoff)
         throw InputError(
             fmt::format("{} cannot be trained with this --basis: [tail] law is not \"st-venant-kirchhoff\", "

@@ -31,16 +31,20 @@ namespace swimtwin
   /// tail's length (m), all odd under the mirror, and p(q) are these polynomials. There are no followers then.
   struct ReducedTail
   {
-    Eigen::MatrixXd  nodes_m;   ///< n_nodes x 2, reference configuration, origin at the head's centre
-    Eigen::MatrixXi  cells;     ///< n_cells x 6: three vertices, then midpoints of edges 01, 12, 20
-    Eigen::MatrixXd  modes;     ///< 2 n_nodes x (r + s), interleaved components (x0, y0, x1, ...), zero on the head
+    Eigen::MatrixXd nodes_m;    ///< n_nodes x dimension, reference configuration, origin at the head's centre
+    Eigen::MatrixXi cells;      ///< n_cells x 6: three vertices, then midpoints of edges 01, 12, 20; in space n_cells x
+                                ///< 10: four vertices, then midpoints of edges 01, 12, 20, 03, 13, 23
+    Eigen::MatrixXd  modes;     ///< dimension n_nodes x (r + s), components interleaved (x0, y0, ...), zero on the head
     Eigen::MatrixXd  followers; ///< s x r (r + 1) / 2, in 1/m
     Eigen::VectorXi  parity;    ///< r + s
     int              tip_node = 0, before_tip_node = 0; ///< on the axis: the tip, and the middle of the last edge
     ShapePolynomials amplitudes = {};
 
-    int n_amplitudes() const { return static_cast<int>(modes.cols()); }
-    int n_coordinates() const
+    int dimension() const { return static_cast<int>(nodes_m.cols()); }
+    /// How far a node moves in the plane of motion per amplitude, 2 x (r + s).
+    Eigen::Matrix2Xd modes_in_plane(const Eigen::Index node) const { return modes.middleRows<2>(dimension() * node); }
+    int              n_amplitudes() const { return static_cast<int>(modes.cols()); }
+    int              n_coordinates() const
     {
       return amplitudes.are_given() ? static_cast<int>(amplitudes.exponents.cols())
                                     : n_amplitudes() - static_cast<int>(followers.rows());
@@ -52,10 +56,11 @@ namespace swimtwin
     }
   };
 
-  /// St Venant-Kirchhoff energy (J per metre of depth) of the modes, exact: the strain is quadratic in the R = r + s
-  /// amplitudes, so W = m^T (lambda G_lambda + mu_s G_mu) m with the monomials m = (p_1 .. p_R, p_1 p_1, p_2 p_1,
-  /// p_2 p_2, p_3 p_1, ...), of degree 4 in p, and of degree 8 in q if there are followers.
-  /// Where `energy` is given, W / E is that one polynomial (m^2), of any law, and there are no Gram matrices.
+  /// St Venant-Kirchhoff energy (J per metre of depth; in two dimensions alone) of the modes, exact: the strain is
+  /// quadratic in the R = r + s amplitudes, so W = m^T (lambda G_lambda + mu_s G_mu) m with the monomials m = (p_1 ..
+  /// p_R, p_1 p_1, p_2 p_1, p_2 p_2, p_3 p_1, ...), of degree 4 in p, and of degree 8 in q if there are followers.
+  /// Where `energy` is given, W / E is that one polynomial (m^2, in space m^3), of any law, and there are no Gram
+  /// matrices.
   struct ReducedElasticity
   {
     Eigen::MatrixXd  gram_lambda, gram_mu; ///< symmetric, m^2 times powers of 1/m
@@ -70,7 +75,8 @@ namespace swimtwin
   }
 
   /// Moment per unit depth (A) in the head's frame: head_area_m2 M_head e_x, and for a magnetised tail
-  /// M_tail (area_rest + sum_k p_k area_of_mode_k). The potential of both in a field is -B . R m.
+  /// M_tail (area_rest + sum_k p_k area_of_mode_k). The potential of both in a field is -B . R m. In space areas are
+  /// volumes (m^3), and moments those of the body (A m^2); so it is with whatever is per unit depth below.
   struct ReducedMagnet
   {
     double          head_area_m2 = 0.;
@@ -188,7 +194,8 @@ namespace swimtwin
 
   struct ReducedModel
   {
-    static constexpr int format_version = 3; ///< the newest; 1 knows no polynomials of shapes, 2 no inertia
+    /// The newest; 1 knows no polynomials of shapes, 2 no inertia, 3 no space.
+    static constexpr int format_version = 4;
 
     ReducedTail       tail;
     ReducedElasticity elasticity;
@@ -200,6 +207,7 @@ namespace swimtwin
     TrainingRecord    record;
     std::string       scene_name, scene_text; ///< the scene it was trained on: nominal parameters, field, time
 
+    int dimension() const { return tail.dimension(); }
     /// Coordinates q: each is the amplitude of a mode of its own.
     int n_modes() const { return tail.n_coordinates(); }
   };

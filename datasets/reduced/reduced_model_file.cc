@@ -38,13 +38,22 @@ namespace swimtwin
       writer.write_matrix(path + "_coefficients", polynomials.coefficients, coefficients);
     }
 
+    /// Of what is per unit depth in two dimensions.
+    std::string per_depth(const int dimension, const int power)
+    {
+      return fmt::format("m^{}", dimension == 3 ? power + 1 : power);
+    }
+
     void write_tail(Hdf5Writer &writer, const ReducedTail &tail)
     {
       writer.write_matrix(
           "/tail/nodes_m", tail.nodes_m,
           {"m", "nodes of the quadratic tail mesh, reference configuration, origin at the head's centre"});
       writer.write_matrix("/tail/cells", tail.cells,
-                          {"1", "nodes of each triangle: three vertices, then midpoints of edges 01, 12, 20"});
+                          {"1", tail.dimension() == 3
+                                    ? "nodes of each tetrahedron: four vertices, then midpoints of edges 01, 12, 20, "
+                                      "03, 13, 23"
+                                    : "nodes of each triangle: three vertices, then midpoints of edges 01, 12, 20"});
       writer.write_matrix("/tail/modes", tail.modes,
                           {"1", "one mode per column, interleaved components, orthonormal in the mean over the tail"});
       if (tail.followers.rows() > 0)
@@ -66,22 +75,22 @@ namespace swimtwin
       writer.write_matrix("/elasticity/gram_mu", elasticity.gram_mu, {"m^2 / m^degree", gram + "shear modulus"});
     }
 
-    void write_elasticity(Hdf5Writer &writer, const ReducedElasticity &elasticity)
+    void write_elasticity(Hdf5Writer &writer, const ReducedElasticity &elasticity, const int dimension)
     {
       if (elasticity.energy.are_given())
         write_polynomials(writer, "/elasticity/energy", elasticity.energy,
-                          {"m^2", "elastic energy per unit depth and Young's modulus"});
+                          {per_depth(dimension, 2), "elastic energy over Young's modulus"});
       else
         write_gram_matrices(writer, elasticity);
       writer.write_attribute("/elasticity", "poisson_ratio", elasticity.poisson_ratio);
     }
 
-    void write_magnet(Hdf5Writer &writer, const ReducedMagnet &magnet)
+    void write_magnet(Hdf5Writer &writer, const ReducedMagnet &magnet, const int dimension)
     {
       writer.write_vector("/magnet/tail_area_m2", Eigen::VectorXd(magnet.tail_area_m2),
-                          {"m^2", "moment of the tail at rest per unit depth and magnetization"});
+                          {per_depth(dimension, 2), "moment of the tail at rest over its magnetization"});
       writer.write_matrix("/magnet/tail_area_of_mode_m", magnet.tail_area_of_mode_m,
-                          {"m", "its derivative by each mode's amplitude, one mode per column"});
+                          {per_depth(dimension, 1), "its derivative by each mode's amplitude, one mode per column"});
       writer.write_attribute("/magnet", "head_area_m2", magnet.head_area_m2);
     }
 
@@ -95,7 +104,9 @@ namespace swimtwin
     void write_resistance(Hdf5Writer &writer, const ReducedResistance &resistance)
     {
       writer.write_matrix("/resistance/factor_at_rest", resistance.factor_at_rest,
-                          {"m^(0 or 1)", "L_0 of R = L_0 C C^T L_0^T, unit viscosity; Ux, Uy, omega, modes"});
+                          {"square roots of the resistance's",
+                           "L_0 of R = L_0 C C^T L_0^T, unit viscosity, in two dimensions per unit depth; Ux, Uy, "
+                           "omega, modes"});
       writer.write_vector("/resistance/coordinate_scale_m", resistance.coordinate_scale_m,
                           {"m", "of each mode's coordinate in the polynomials"});
       writer.write_matrix("/resistance/exponents", resistance.exponents,
@@ -126,12 +137,13 @@ namespace swimtwin
            {std::pair<std::string, const InertiaPolynomials &>{"fluid", inertia.fluid}, {"tail", inertia.tail}})
       {
         writer.write_matrix("/inertia/" + name + "_factor_at_rest", material.factor_at_rest,
-                            {"m to m^2", "L_0 of M = L_0 C C^T L_0^T at unit density, per unit depth"});
+                            {"square roots of the mass's",
+                             "L_0 of M = L_0 C C^T L_0^T at unit density, in two dimensions per unit depth"});
         writer.write_matrix(
             "/inertia/" + name + "_mass", material.mass,
             {"1", "one monomial per row; column i (i + 1) / 2 + j is entry (i, j) of C, log on the diagonal"});
         writer.write_matrix("/inertia/" + name + "_quadratic", material.quadratic,
-                            {"m^2 to m^4 (per m)",
+                            {"of the mass, some per m",
                              "force i by velocities j and k, k <= j, at i n (n + 1) / 2 + j (j + 1) / 2 + k, beside "
                              "half of dM/dt; unit density"});
       }
@@ -142,9 +154,11 @@ namespace swimtwin
     /// The oldest one that has what the model has.
     int format_version_of(const ReducedModel &model)
     {
-      constexpr int with_polynomials = 2;
-      if (model.inertia.is_given())
+      constexpr int with_polynomials = 2, with_inertia = 3;
+      if (model.dimension() == 3)
         return ReducedModel::format_version;
+      if (model.inertia.is_given())
+        return with_inertia;
       return model.tail.amplitudes.are_given() || model.resistance.depends_on_height ? with_polynomials : 1;
     }
 
@@ -154,7 +168,7 @@ namespace swimtwin
         throw InputError(fmt::format(
             "{} is an HDF5 file, but not a reduced model; give one that `swimtwin train` made.", file.string()));
       const double version = reader.read_number_attribute("/", "format_version");
-      if (version != 1 && version != 2 && version != ReducedModel::format_version)
+      if (!(version >= 1 && version <= ReducedModel::format_version))
         throw InputError(
             fmt::format("{} is a reduced model of format version {}, and this program reads versions 1 to {}; "
                         "train it again with this program, or use the one that made it.",
@@ -279,11 +293,12 @@ namespace swimtwin
     writer.write_attribute("/", "format", format_name);
     writer.write_attribute("/", "format_version", format_version_of(model));
     write_provenance(writer, provenance);
+    writer.write_attribute("/", "dimension", model.dimension());
     writer.write_text("/scene/name", model.scene_name, {"1", "name of the scene that the model was trained on"});
     writer.write_text("/scene/text", model.scene_text, {"1", "that scene (TOML): nominal parameters, field, time"});
     write_tail(writer, model.tail);
-    write_elasticity(writer, model.elasticity);
-    write_magnet(writer, model.magnet);
+    write_elasticity(writer, model.elasticity, model.dimension());
+    write_magnet(writer, model.magnet, model.dimension());
     write_area(writer, model.area);
     write_resistance(writer, model.resistance);
     write_inertia(writer, model.inertia);

@@ -67,12 +67,13 @@ namespace swimtwin
         check(rules, tail.amplitudes, "/tail/amplitude", tail.n_coordinates(), R);
         rules.require("/tail/followers", s == 0, "is there beside polynomials of the amplitudes.");
       }
+      const int dim = tail.dimension();
       rules.require("/tail/nodes_m", n > 0, "is empty.");
-      rules.require_size("/tail/nodes_m", tail.nodes_m, n, 2);
-      rules.require_size("/tail/cells", tail.cells, tail.cells.rows(), 6);
+      rules.require_size("/tail/nodes_m", tail.nodes_m, n, dim == 3 ? 3 : 2);
+      rules.require_size("/tail/cells", tail.cells, tail.cells.rows(), dim == 3 ? 10 : 6);
       rules.require("/tail/cells", are_indices(tail.cells, n),
                     fmt::format("names a node that is not in 0 to {}.", n - 1));
-      rules.require_size("/tail/modes", tail.modes, 2 * n, R);
+      rules.require_size("/tail/modes", tail.modes, dim * n, R);
       rules.require("/tail/followers", r >= 0, fmt::format("has {} followers among {} modes.", s, R));
       rules.require_size("/tail/followers", tail.followers, s, s > 0 ? r * (r + 1) / 2 : tail.followers.cols());
       rules.require_size("/tail/parity", tail.parity, R, 1);
@@ -194,6 +195,8 @@ namespace swimtwin
     check(rules, model.elasticity, model.tail.n_amplitudes(), model.n_modes());
     rules.require("/elasticity", model.elasticity.energy.are_given() == model.tail.amplitudes.are_given(),
                   "and /tail disagree: polynomials of shapes and of the energy belong together.");
+    rules.require("/elasticity", model.dimension() == 2 || model.elasticity.energy.are_given(),
+                  "has Gram matrices, which a swimmer in space does not know.");
     check(rules, model.magnet, model.tail.n_amplitudes());
     check(rules, model.area, model.tail.n_amplitudes());
     check(rules, model.resistance, model.n_modes());

@@ -120,9 +120,13 @@ namespace swimtwin
   template FluidMesh<2> mesh_around<2>(const Swimmer<2> &, const Configuration<2> &, MPI_Comm);
   template FluidMesh<3> mesh_around<3>(const Swimmer<3> &, const Configuration<3> &, MPI_Comm);
 
-  FluidMesh<2> mesh_whole_around(const Swimmer<2> &swimmer, const Configuration<2> &configuration,
-                                 const MPI_Comm communicator)
+  template <int dim>
+  FluidMesh<dim> mesh_for_given_motions(const Swimmer<dim> &swimmer, const Configuration<dim> &configuration,
+                                        const MPI_Comm communicator)
   {
-    return make_mesh_or_advise(swimmer, configuration, false, communicator);
+    return make_mesh_or_advise(swimmer, configuration, dim == 3 && solves_half(swimmer.scene()), communicator);
   }
+
+  template FluidMesh<2> mesh_for_given_motions<2>(const Swimmer<2> &, const Configuration<2> &, MPI_Comm);
+  template FluidMesh<3> mesh_for_given_motions<3>(const Swimmer<3> &, const Configuration<3> &, MPI_Comm);
 } // namespace swimtwin

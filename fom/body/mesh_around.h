@@ -13,7 +13,8 @@ namespace swimtwin
   FluidMesh<dim> mesh_around(const Swimmer<dim> &swimmer, const Configuration<dim> &configuration,
                              MPI_Comm communicator);
 
-  /// The same, never by halves.
-  FluidMesh<2> mesh_whole_around(const Swimmer<2> &swimmer, const Configuration<2> &configuration,
-                                 MPI_Comm communicator);
+  /// The same for bodies that move as they are told: whole in 2D, in space by halves where half of the scene is solved.
+  template <int dim>
+  FluidMesh<dim> mesh_for_given_motions(const Swimmer<dim> &swimmer, const Configuration<dim> &configuration,
+                                        MPI_Comm communicator);
 } // namespace swimtwin

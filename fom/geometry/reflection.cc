@@ -1,5 +1,8 @@
 #include <fom/geometry/reflection.h>
 
+#include <array>
+#include <map>
+
 namespace swimtwin
 {
   using namespace dealii;
@@ -30,6 +33,29 @@ namespace swimtwin
     return whole;
   }
 
+  template <int dim>
+  std::optional<std::vector<unsigned int>> images_of_nodes(const SimplexMesh<dim> &mesh)
+  {
+    const auto key = [](const Point<dim> &x) {
+      std::array<double, dim> place;
+      for (int i = 0; i < dim; ++i)
+        place[i] = x[i] + 0.; // no negative zero
+      return place;
+    };
+    std::map<std::array<double, dim>, unsigned int> node_at;
+    for (unsigned int a = 0; a < mesh.n_nodes(); ++a)
+      node_at[key(mesh.nodes[a])] = a;
+    std::vector<unsigned int> images;
+    for (const auto &node : mesh.nodes)
+      if (const auto image = node_at.find(key(mirrored(node))); image != node_at.end())
+        images.push_back(image->second);
+      else
+        return {};
+    return images;
+  }
+
+  template std::optional<std::vector<unsigned int>> images_of_nodes<2>(const SimplexMesh<2> &);
+  template std::optional<std::vector<unsigned int>> images_of_nodes<3>(const SimplexMesh<3> &);
   template SimplexSoup<2> reflect<2>(const SimplexSoup<2> &, double, std::vector<unsigned int> &);
   template SimplexSoup<3> reflect<3>(const SimplexSoup<3> &, double, std::vector<unsigned int> &);
 } // namespace swimtwin

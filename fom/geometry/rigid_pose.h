@@ -57,6 +57,24 @@ namespace swimtwin
   template <int dim>
   const std::vector<int> motions_in_plane{0, 1, dim + rotation_about_z<dim>};
 
+  /// How many these are.
+  constexpr int n_rigid_in_plane = 3;
+
+  /// Velocity at X of a body that moves by the k-th of them with unit velocity, in its own frame.
+  template <int dim>
+  dealii::Tensor<1, dim> unit_motion_in_plane(const int k, const dealii::Tensor<1, dim> &X)
+  {
+    dealii::Tensor<1, dim> velocity;
+    if (k < 2)
+    {
+      velocity[k] = 1.;
+      return velocity;
+    }
+    AngularVelocity<dim> omega;
+    omega[rotation_about_z<dim>] = 1.;
+    return rotational_velocity<dim>(omega, X);
+  }
+
   /// Which of x, y and z a rotation is about.
   template <int dim>
   constexpr int axis_of_rotation(const int k)

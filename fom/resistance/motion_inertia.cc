@@ -17,6 +17,8 @@ namespace swimtwin
   {
     using Matrices = std::vector<FullMatrix<double>>;
 
+    constexpr int rotation = 2; ///< among the motions in the plane
+
     Matrices zeros(const unsigned int n)
     {
       return Matrices(n, FullMatrix<double>(n, n));
@@ -27,20 +29,16 @@ namespace swimtwin
     Tensor<1, dim> acceleration(const BodyMotions<dim> &motions, const int j, const int k, const int tail_node,
                                 const std::vector<Tensor<1, dim>> &velocity)
     {
-      const auto turned = [](const int rotation, const Tensor<1, dim> &v) {
-        AngularVelocity<dim> omega;
-        omega[rotation] = 1.;
-        return rotational_velocity<dim>(omega, v);
-      };
-      if (k < dim)
+      const auto turned = [](const Tensor<1, dim> &v) { return unit_motion_in_plane<dim>(rotation, v); };
+      if (k < rotation)
         return {};
-      if (k < n_rigid<dim>)
-        return turned(k - dim, velocity[j]);
-      if (j < dim || tail_node < 0)
+      if (k == rotation)
+        return turned(velocity[j]);
+      if (j < rotation || tail_node < 0)
         return {};
-      if (j < n_rigid<dim>)
-        return turned(j - dim, motions.modes[k - n_rigid<dim>][tail_node]);
-      return motions.slopes[j - n_rigid<dim>][k - n_rigid<dim>][tail_node];
+      if (j == rotation)
+        return turned(motions.modes[k - n_rigid_in_plane][tail_node]);
+      return motions.slopes[j - n_rigid_in_plane][k - n_rigid_in_plane][tail_node];
     }
 
     /// Velocities of all unit motions at a point X of the body, head frame.
@@ -48,18 +46,13 @@ namespace swimtwin
     std::vector<Tensor<1, dim>> unit_velocities(const BodyMotions<dim> &motions, const Tensor<1, dim> &X,
                                                 const int tail_node)
     {
-      std::vector<Tensor<1, dim>> velocity(n_rigid<dim> + motions.modes.size());
-      for (int c = 0; c < dim; ++c)
-        velocity[c][c] = 1.;
-      for (int k = 0; k < n_rotations<dim>; ++k)
-      {
-        AngularVelocity<dim> omega;
-        omega[k]          = 1.;
-        velocity[dim + k] = rotational_velocity<dim>(omega, X);
-      }
+      std::vector<Tensor<1, dim>> velocity;
+      for (int k = 0; k < n_rigid_in_plane; ++k)
+        velocity.push_back(unit_motion_in_plane<dim>(k, X));
+      velocity.resize(n_rigid_in_plane + motions.modes.size());
       if (tail_node >= 0)
         for (unsigned int k = 0; k < motions.modes.size(); ++k)
-          velocity[n_rigid<dim> + k] = motions.modes[k][tail_node];
+          velocity[n_rigid_in_plane + k] = motions.modes[k][tail_node];
       return velocity;
     }
 
@@ -80,7 +73,7 @@ namespace swimtwin
                                    fluid.fluid_mesh().surface_nodes, still);
       NodeFields<dim>    fields;
       for (unsigned int k = 0; k < motions.size(); ++k)
-        if (co_moving && k < n_rigid<dim>)
+        if (co_moving && k < n_rigid_in_plane)
         {
           auto &field = fields.emplace_back();
           for (const auto &x : fluid.positions())
@@ -290,7 +283,7 @@ namespace swimtwin
     const unsigned int  n = V.size();
     std::vector<double> area_rates(n, 0.);
     for (unsigned int j = 0; j < motions.modes.size(); ++j)
-      area_rates[n_rigid<dim> + j] = swimmer.volume_rate(configuration, {{}, {}, motions.modes[j]});
+      area_rates[n_rigid_in_plane + j] = swimmer.volume_rate(configuration, {{}, {}, motions.modes[j]});
     SurfaceProblem<dim> problem(fluid, !swimmer.scene().domain->has_traction_free_wall());
     const auto          u = problem.flows(V, area_rates);
 
@@ -339,7 +332,7 @@ namespace swimtwin
                                           const BodyMotions<dim> &motions)
   {
     const auto                              &mesh = swimmer.tail().mesh;
-    const unsigned int                       n    = n_rigid<dim> + motions.modes.size();
+    const unsigned int                       n    = n_rigid_in_plane + motions.modes.size();
     std::vector<std::vector<Tensor<1, dim>>> velocity;
     for (unsigned int a = 0; a < mesh.n_nodes(); ++a)
       velocity.push_back(unit_velocities<dim>(motions, mesh.nodes[a] + configuration.shape[a], a));
@@ -373,4 +366,9 @@ namespace swimtwin
                                                      const Configuration<2> &, const BodyMotions<2> &);
   template MotionInertia<2> compute_tail_inertia<2>(const Swimmer<2> &, const Configuration<2> &,
                                                     const BodyMotions<2> &);
+  template struct MotionInertia<3>;
+  template MotionInertia<3> compute_fluid_inertia<3>(const Swimmer<3> &, const FluidDomain<3> &,
+                                                     const Configuration<3> &, const BodyMotions<3> &);
+  template MotionInertia<3> compute_tail_inertia<3>(const Swimmer<3> &, const Configuration<3> &,
+                                                    const BodyMotions<3> &);
 } // namespace swimtwin

@@ -9,8 +9,9 @@
 
 namespace swimtwin
 {
-  /// Motions of the body in the order R^T U, omega (about the head's centre), then the modes; `modes` are fields on
-  /// the tail's nodes in the head's frame, and slopes[j][k] is how mode j changes as the body moves along mode k.
+  /// Motions of the body in the plane of x and y: R^T U, omega (about the head's centre), then the modes; `modes` are
+  /// fields on the tail's nodes in the head's frame, and slopes[j][k] is how mode j changes as the body moves along
+  /// mode k.
   template <int dim>
   struct BodyMotions
   {

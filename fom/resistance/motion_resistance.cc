@@ -65,7 +65,7 @@ namespace swimtwin
     const unsigned int  n       = motions.size();
     std::vector<double> area_rates(n, 0.);
     for (unsigned int j = 0; j < modes.size(); ++j)
-      area_rates[n_rigid<dim> + j] = swimmer.volume_rate(configuration, {{}, {}, modes[j]});
+      area_rates[n_rigid_in_plane + j] = swimmer.volume_rate(configuration, {{}, {}, modes[j]});
     const bool          closed = !swimmer.scene().domain->has_traction_free_wall();
     SurfaceProblem<dim> problem(fluid, closed);
     const auto          responses = problem.respond(motions, area_rates);
@@ -92,7 +92,7 @@ namespace swimtwin
                                                   const std::vector<NodalField<dim>> &modes,
                                                   const MPI_Comm                      communicator)
   {
-    const FluidDomain<dim> fluid(swimmer.scene(), mesh_whole_around(swimmer, configuration, communicator),
+    const FluidDomain<dim> fluid(swimmer.scene(), mesh_for_given_motions(swimmer, configuration, communicator),
                                  configuration.pose);
     return compute_motion_resistance(swimmer, fluid, configuration, modes);
   }
@@ -110,11 +110,19 @@ namespace swimtwin
   }
 
   template struct MotionResistance<2>;
+  template struct MotionResistance<3>;
   template MotionResistance<2> compute_motion_resistance<2>(const Swimmer<2> &, const FluidDomain<2> &,
                                                             const Configuration<2> &,
                                                             const std::vector<NodalField<2>> &);
   template MotionResistance<2> compute_motion_resistance<2>(const Swimmer<2> &, const Configuration<2> &,
                                                             const std::vector<NodalField<2>> &, MPI_Comm);
+  template MotionResistance<3> compute_motion_resistance<3>(const Swimmer<3> &, const FluidDomain<3> &,
+                                                            const Configuration<3> &,
+                                                            const std::vector<NodalField<3>> &);
+  template MotionResistance<3> compute_motion_resistance<3>(const Swimmer<3> &, const Configuration<3> &,
+                                                            const std::vector<NodalField<3>> &, MPI_Comm);
   template std::vector<double> compute_flow<2>(const Swimmer<2> &, const FluidDomain<2> &, const Configuration<2> &,
                                                const Rates<2> &);
+  template std::vector<double> compute_flow<3>(const Swimmer<3> &, const FluidDomain<3> &, const Configuration<3> &,
+                                               const Rates<3> &);
 } // namespace swimtwin

@@ -11,8 +11,8 @@ namespace swimtwin
   template <int dim>
   struct MotionResistance
   {
-    /// Generalised force of the body on the fluid per generalised velocity, in the order R^T U, omega (about the head's
-    /// centre), then the modes; SI, per unit depth in 2D.
+    /// Generalised force of the body on the fluid per generalised velocity of a motion in the plane of x and y, in the
+    /// order R^T U, omega (about the head's centre), then the modes; SI, per unit depth in 2D.
     dealii::FullMatrix<double> matrix;
     double                     asymmetry = 0.; ///< largest |R_ij - R_ji| / sqrt(R_ii R_jj), before it was averaged away
   };

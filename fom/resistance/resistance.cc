@@ -9,24 +9,12 @@ namespace swimtwin
 {
   using namespace dealii;
 
-  namespace
-  {
-    FluidMesh<2> mesh_for(const Swimmer<2> &swimmer, const Configuration<2> &configuration, const MPI_Comm communicator)
-    {
-      return mesh_whole_around(swimmer, configuration, communicator);
-    }
-    FluidMesh<3> mesh_for(const Swimmer<3> &swimmer, const Configuration<3> &configuration, const MPI_Comm communicator)
-    {
-      return mesh_around(swimmer, configuration, communicator);
-    }
-  } // namespace
-
   template <int dim>
   ResistanceResult<dim> compute_resistance(const Swimmer<dim> &swimmer, const Configuration<dim> &configuration,
                                            const MPI_Comm communicator)
   {
     const Scene     &scene = swimmer.scene();
-    FluidDomain<dim> fluid(scene, mesh_for(swimmer, configuration, communicator), configuration.pose);
+    FluidDomain<dim> fluid(scene, mesh_for_given_motions(swimmer, configuration, communicator), configuration.pose);
 
     LinearSolverOptions options;
     options.tolerance = 1e-13;

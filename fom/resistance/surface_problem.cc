@@ -15,25 +15,18 @@ namespace swimtwin
   {
     const Tensor<2, dim>              R = configuration.pose.rotation();
     const unsigned int                n = swimmer.n_surface_nodes();
-    std::vector<SurfaceVelocity<dim>> motions(n_rigid<dim> + modes.size(), SurfaceVelocity<dim>(n));
+    std::vector<SurfaceVelocity<dim>> motions(n_rigid_in_plane + modes.size(), SurfaceVelocity<dim>(n));
     for (unsigned int k = 0; k < n; ++k)
     {
       const int      node = swimmer.tail_node(k);
       Tensor<1, dim> X    = swimmer.surface_at_rest(k);
       if (node >= 0)
         X += configuration.shape[node];
-      for (int j = 0; j < dim; ++j)
-        for (int c = 0; c < dim; ++c)
-          motions[j][k][c] = R[c][j];
-      for (int j = 0; j < n_rotations<dim>; ++j)
-      {
-        AngularVelocity<dim> omega;
-        omega[j]            = 1.;
-        motions[dim + j][k] = R * rotational_velocity<dim>(omega, X);
-      }
+      for (int j = 0; j < n_rigid_in_plane; ++j)
+        motions[j][k] = R * unit_motion_in_plane<dim>(j, X);
       if (node >= 0)
         for (unsigned int j = 0; j < modes.size(); ++j)
-          motions[n_rigid<dim> + j][k] = R * modes[j][node];
+          motions[n_rigid_in_plane + j][k] = R * modes[j][node];
     }
     return motions;
   }
@@ -48,6 +41,7 @@ namespace swimtwin
       for (unsigned int k = 0; k < fluid.n_surface_nodes(); ++k)
         for (int c = 0; c < dim; ++c)
           map.impose(fluid.surface_row(k, c));
+      fluid.describe_mirror(map);
       std::vector<unsigned int> owner;
       for (unsigned int row = 0; row < fluid.n_rows(); ++row)
         owner.push_back(fluid.row_owner(row));
@@ -149,5 +143,8 @@ namespace swimtwin
 
   template std::vector<SurfaceVelocity<2>> surface_velocities<2>(const Swimmer<2> &, const Configuration<2> &,
                                                                  const std::vector<NodalField<2>> &);
+  template std::vector<SurfaceVelocity<3>> surface_velocities<3>(const Swimmer<3> &, const Configuration<3> &,
+                                                                 const std::vector<NodalField<3>> &);
   template class SurfaceProblem<2>;
+  template class SurfaceProblem<3>;
 } // namespace swimtwin

@@ -10,7 +10,7 @@ namespace swimtwin
   template <int dim>
   using SurfaceVelocity = std::vector<dealii::Tensor<1, dim>>;
 
-  /// Of the unit motions, in the order R^T U, omega (about the head's centre), then the modes.
+  /// Of the unit motions in the plane of x and y, in the order R^T U, omega (about the head's centre), then the modes.
   template <int dim>
   std::vector<SurfaceVelocity<dim>> surface_velocities(const Swimmer<dim>                 &swimmer,
                                                        const Configuration<dim>           &configuration,

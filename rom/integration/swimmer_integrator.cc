@@ -93,6 +93,8 @@ namespace swimtwin
         row.head_x_m           = state[0];
         row.head_y_m           = state[1];
         row.head_angle_rad     = state[2];
+        row.head_qw            = std::cos(state[2] / 2.);
+        row.head_qz            = std::sin(state[2] / 2.);
         row.tail_tip_x_m       = tip.x();
         row.tail_tip_y_m       = tip.y();
         row.tail_angle_rad     = unwrap(state[2] + swimmer.tip().angle_rad(q),

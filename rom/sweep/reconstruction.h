@@ -15,7 +15,7 @@ namespace swimtwin
   /// Its rate (m/s) when the coordinates change at the given rate: followers move as the shape says.
   Eigen::VectorXd tail_velocity(const ReducedTail &tail, const ShapeVector &q, const ShapeVector &rate);
 
-  /// Positions (m) of the tail's nodes in the laboratory, n_nodes x 2.
+  /// Positions (m) of the tail's nodes in the laboratory, n_nodes x dimension.
   Eigen::MatrixXd tail_positions(const ReducedTail &tail, const SwimmerState &state);
 
   /// Shapes of the whole tail as the full-order model records them. Nodes where all modes vanish count as clamped.

@@ -9,10 +9,13 @@ namespace swimtwin
     /// Vertex at the other end of the edge from the tip; the tip itself if the mesh has no such edge.
     int start_of_last_edge(const ReducedTail &tail)
     {
+      constexpr std::array<std::array<int, 2>, 6> ends{{{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
+      const int n_vertices = tail.dimension() + 1, n_edges = static_cast<int>(tail.cells.cols()) - n_vertices;
       for (Eigen::Index c = 0; c < tail.cells.rows(); ++c)
-        for (int edge = 0; edge < 3; ++edge)
+        for (int edge = 0; edge < n_edges; ++edge)
         {
-          const int a = tail.cells(c, edge), b = tail.cells(c, (edge + 1) % 3), middle = tail.cells(c, 3 + edge);
+          const int a = tail.cells(c, ends[edge][0]), b = tail.cells(c, ends[edge][1]),
+                    middle = tail.cells(c, n_vertices + edge);
           if (middle == tail.before_tip_node && (a == tail.tip_node || b == tail.tip_node))
             return a == tail.tip_node ? b : a;
         }
@@ -24,7 +27,7 @@ namespace swimtwin
   {
     const std::array<int, 3> nodes = {start_of_last_edge(tail), tail.before_tip_node, tail.tip_node};
     for (std::size_t i = 0; i < nodes.size(); ++i)
-      last_edge_[i] = {tail.nodes_m.row(nodes[i]).transpose(), tail.modes.middleRows(2 * nodes[i], 2)};
+      last_edge_[i] = {tail.nodes_m.row(nodes[i]).head<2>().transpose(), tail.modes_in_plane(nodes[i])};
   }
 
   Eigen::Vector2d TailTip::position_m(const ShapeVector &q) const

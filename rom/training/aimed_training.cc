@@ -21,6 +21,7 @@ namespace swimtwin
   namespace
   {
     /// Makes models until one meets the target, or there is nothing left to spend or to try.
+    template <int dim>
     class AimedTraining
     {
     public:
@@ -31,8 +32,8 @@ namespace swimtwin
 
       ReducedModel run()
       {
-        current_ =
-            std::make_unique<Training>(scene_, options_, options_.n_coordinates, "samples.h5", budget_, communicator_);
+        current_ = std::make_unique<Training<dim>>(scene_, options_, options_.n_coordinates, "samples.h5", budget_,
+                                                   communicator_);
         current_->make_model();
         take_stock({});
         while (misses())
@@ -99,7 +100,7 @@ namespace swimtwin
         const int n     = current_->n_coordinates() + 1;
         before_         = std::move(current_);
         const auto file = fmt::format("samples-{}-modes.h5", n);
-        current_        = std::make_unique<Training>(scene_, options_, n, file, budget_, communicator_);
+        current_        = std::make_unique<Training<dim>>(scene_, options_, n, file, budget_, communicator_);
         current_->make_model();
       }
 
@@ -188,23 +189,24 @@ namespace swimtwin
         return best_;
       }
 
-      static constexpr int      fewest_more_samples = 100;
-      const Scene              &scene_;
-      const TrainingOptions    &options_;
-      MPI_Comm                  communicator_;
-      CpuBudget                 budget_;
-      std::unique_ptr<Training> current_, before_;
-      ReducedModel              best_;
-      double                    best_error_ = 0.;
-      std::vector<Attempt>      attempts_;
-      std::vector<std::string>  history_;
+      static constexpr int           fewest_more_samples = 100;
+      const Scene                   &scene_;
+      const TrainingOptions         &options_;
+      MPI_Comm                       communicator_;
+      CpuBudget                      budget_;
+      std::unique_ptr<Training<dim>> current_, before_;
+      ReducedModel                   best_;
+      double                         best_error_ = 0.;
+      std::vector<Attempt>           attempts_;
+      std::vector<std::string>       history_;
     };
   } // namespace
 
   ReducedModel train(const Scene &scene, const TrainingOptions &options, const MPI_Comm communicator)
   {
     const auto   start = std::chrono::steady_clock::now();
-    ReducedModel model = AimedTraining(scene, options, communicator).run();
+    ReducedModel model = scene.dimension == 3 ? AimedTraining<3>(scene, options, communicator).run()
+                                              : AimedTraining<2>(scene, options, communicator).run();
     int          rank;
     MPI_Comm_rank(communicator, &rank);
     if (rank == 0)

@@ -12,47 +12,35 @@ namespace swimtwin
   namespace
   {
     constexpr int n_axial_polynomials = 12;
-
-    BendingCoordinates::NodeDerivative gather(const Eigen::VectorXd &field, const std::array<unsigned int, 6> &nodes)
-    {
-      BendingCoordinates::NodeDerivative local;
-      for (int a = 0; a < 6; ++a)
-        local.segment<2>(2 * a) = field.segment<2>(2 * nodes[a]);
-      return local;
-    }
   } // namespace
 
-  BendingCoordinates::BendingCoordinates(const Swimmer<2> &swimmer)
+  template <int dim>
+  BendingCoordinates::BendingCoordinates(const Swimmer<dim> &swimmer) : dimension_(dim)
   {
-    const auto          &mesh = swimmer.tail().mesh;
-    IsoparametricCell<2> map;
-    double               area = 0.;
+    const auto            &mesh = swimmer.tail().mesh;
+    IsoparametricCell<dim> map;
+    n_points_of_cell_ = map.n_points();
+    double volume     = 0.;
     for (const auto &nodes : mesh.cells)
     {
-      const auto x = cell_positions<2>(nodes, mesh.nodes);
+      nodes_.emplace_back(nodes.begin(), nodes.end());
+      const auto x = cell_positions<dim>(nodes, mesh.nodes);
       map.reinit(x);
       for (unsigned int q = 0; q < map.n_points(); ++q)
       {
-        Point point;
-        point.trace.setZero();
-        point.spin.setZero();
+        Point point{CellVector(2 * nodes.size()), CellVector(2 * nodes.size()), map.position(q, x)[0], map.weight(q)};
         for (unsigned int a = 0; a < nodes.size(); ++a)
         {
-          const auto &g          = map.gradient(q, a);
-          point.nodes[a]         = nodes[a];
-          point.trace[2 * a]     = g[0];
-          point.trace[2 * a + 1] = g[1];
-          point.spin[2 * a]      = -g[1];
-          point.spin[2 * a + 1]  = g[0];
+          const auto &g                 = map.gradient(q, a);
+          point.trace.segment<2>(2 * a) = Eigen::Vector2d(g[0], g[1]);
+          point.spin.segment<2>(2 * a)  = Eigen::Vector2d(-g[1], g[0]);
         }
-        point.axial_m = map.position(q, x)[0];
-        point.weight  = map.weight(q);
-        area += point.weight;
+        volume += point.weight;
         points_.push_back(point);
       }
     }
     for (Point &point : points_)
-      point.weight /= area;
+      point.weight /= volume;
     along_axis_.resize(points_.size());
     std::iota(along_axis_.begin(), along_axis_.end(), 0);
     std::sort(along_axis_.begin(), along_axis_.end(),
@@ -61,17 +49,31 @@ namespace swimtwin
     length_m_ = points_[along_axis_.back()].axial_m - root_m_;
   }
 
+  BendingCoordinates::CellVector BendingCoordinates::in_plane(const std::size_t      cell,
+                                                              const Eigen::VectorXd &displacement) const
+  {
+    const auto &nodes = nodes_[cell];
+    CellVector  local(2 * nodes.size());
+    for (std::size_t a = 0; a < nodes.size(); ++a)
+      local.segment<2>(2 * a) = displacement.segment<2>(dimension_ * nodes[a]);
+    return local;
+  }
+
   Eigen::VectorXd BendingCoordinates::rotations(const Eigen::VectorXd &displacement) const
   {
     Eigen::VectorXd angles(points_.size());
-    double          last = 0.;
+    for (std::size_t c = 0, p = 0; c < nodes_.size(); ++c)
+    {
+      const CellVector d = in_plane(c, displacement);
+      for (const Point &point : points_of(c))
+        angles[static_cast<Eigen::Index>(p++)] = std::atan2(point.spin.dot(d), 2. + point.trace.dot(d));
+    }
+    double last = 0.;
     for (const std::size_t p : along_axis_)
     {
-      const Point         &point = points_[p];
-      const NodeDerivative d     = gather(displacement, point.nodes);
-      const double         angle = std::atan2(point.spin.dot(d), 2. + point.trace.dot(d));
-      last                       = angle + 2. * std::numbers::pi * std::round((last - angle) / (2. * std::numbers::pi));
-      angles[static_cast<Eigen::Index>(p)] = last;
+      double &angle = angles[static_cast<Eigen::Index>(p)];
+      angle += 2. * std::numbers::pi * std::round((last - angle) / (2. * std::numbers::pi));
+      last = angle;
     }
     return angles;
   }
@@ -129,4 +131,7 @@ namespace swimtwin
       q.col(k) = weighted.transpose() * rotations(displacements.col(k));
     return q;
   }
+
+  template BendingCoordinates::BendingCoordinates(const Swimmer<2> &);
+  template BendingCoordinates::BendingCoordinates(const Swimmer<3> &);
 } // namespace swimtwin

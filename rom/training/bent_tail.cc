@@ -69,6 +69,53 @@ namespace swimtwin
       return exponents(rows, Eigen::all);
     }
 
+    Eigen::VectorXd numbers_of(const RelaxedShape &shape)
+    {
+      Eigen::VectorXd numbers(shape.q.size() + shape.slope_m.size() + 1 + shape.displacement.size());
+      numbers << shape.q, shape.slope_m, shape.energy_m2, shape.displacement;
+      return numbers;
+    }
+
+    RelaxedShape shape_of(const Eigen::VectorXd &numbers, const Eigen::Index r)
+    {
+      return {numbers.head(r), numbers.tail(numbers.size() - 2 * r - 1), numbers[2 * r], numbers.segment(r, r)};
+    }
+
+    /// The ways are shared out over ranks; every rank gets all shapes, in the order of the ends.
+    template <int dim>
+    std::vector<RelaxedShape> relaxed_on_the_ways(RelaxedTail<dim> &tail, const std::vector<Eigen::VectorXd> &ends,
+                                                  const MPI_Comm                       communicator,
+                                                  const std::function<void(int, int)> &on_progress)
+    {
+      int rank, n_ranks;
+      MPI_Comm_rank(communicator, &rank);
+      MPI_Comm_size(communicator, &n_ranks);
+      std::vector<std::vector<RelaxedShape>> ways(ends.size());
+      for (std::size_t k = rank; k < ends.size(); k += n_ranks)
+      {
+        ways[k] = tail.on_the_way_to(ends[k], n_on_the_way);
+        if (on_progress)
+          on_progress(static_cast<int>(k) + 1, static_cast<int>(ends.size()));
+      }
+      std::vector<RelaxedShape> relaxed;
+      for (std::size_t k = 0; k < ends.size(); ++k)
+      {
+        const int owner = static_cast<int>(k) % n_ranks;
+        int       count = static_cast<int>(ways[k].size());
+        MPI_Bcast(&count, 1, MPI_INT, owner, communicator);
+        for (int i = 0; i < count; ++i)
+        {
+          Eigen::VectorXd numbers = rank == owner ? numbers_of(ways[k][i]) : Eigen::VectorXd();
+          int             size    = static_cast<int>(numbers.size());
+          MPI_Bcast(&size, 1, MPI_INT, owner, communicator);
+          numbers.resize(size);
+          MPI_Bcast(numbers.data(), size, MPI_DOUBLE, owner, communicator);
+          relaxed.push_back(shape_of(numbers, ends[k].size()));
+        }
+      }
+      return relaxed;
+    }
+
     struct Shapes
     {
       Eigen::MatrixXd z;             ///< scaled coordinates, one row each
@@ -113,10 +160,14 @@ namespace swimtwin
           modes_of((shapes.displacements + mirror) / 2., space, communicator, smallest_mode * size);
       bent.modes.resize(odd.rows(), odd.cols() + even.cols());
       bent.modes << (odd - space.mirrored(odd)) / 2., (even + space.mirrored(even)) / 2.;
+      bent.modes = space.kept_to_plane(bent.modes);
       bent.parity.resize(bent.modes.cols());
       bent.parity << Eigen::VectorXi::Constant(odd.cols(), -1), Eigen::VectorXi::Constant(even.cols(), 1);
 
-      const Eigen::MatrixXd data  = space.amplitudes(bent.modes, shapes.displacements).transpose();
+      // On meshes without a mirror, modes of different parity are not quite orthogonal.
+      const Eigen::MatrixXd gram = space.amplitudes(bent.modes, bent.modes);
+      const Eigen::MatrixXd data =
+          solve_by_lu<Eigen::MatrixXd>(gram, space.amplitudes(bent.modes, shapes.displacements)).transpose();
       const Eigen::MatrixXi e_odd = without_constant(exponents, 1), e_even = without_constant(exponents, 0);
       bent.amplitudes.exponents.resize(e_odd.rows() + e_even.rows(), exponents.cols());
       bent.amplitudes.exponents << e_odd, e_even;
@@ -157,21 +208,15 @@ namespace swimtwin
     }
   } // namespace
 
-  BentTail fit_bent_tail(const Swimmer<2> &swimmer, const TailSpace &space, const BendingCoordinates &coordinates,
+  template <int dim>
+  BentTail fit_bent_tail(const Swimmer<dim> &swimmer, const TailSpace &space, const BendingCoordinates &coordinates,
                          const Eigen::MatrixXd &seen, const MPI_Comm communicator,
                          const std::function<void(int, int)> &on_progress)
   {
     const SampledRegion       region = region_around(points_of(seen), 1.);
-    RelaxedTail               tail(swimmer, coordinates);
-    std::vector<RelaxedShape> relaxed;
-    const auto                ends = goals(seen, region);
-    for (std::size_t k = 0; k < ends.size(); ++k)
-    {
-      for (auto &shape : tail.on_the_way_to(ends[k], n_on_the_way))
-        relaxed.push_back(std::move(shape));
-      if (on_progress)
-        on_progress(static_cast<int>(k) + 1, static_cast<int>(ends.size()));
-    }
+    RelaxedTail<dim>          tail(swimmer, coordinates);
+    const auto                ends    = goals(seen, region);
+    std::vector<RelaxedShape> relaxed = relaxed_on_the_ways(tail, ends, communicator, on_progress);
     if (2 * relaxed.size() < n_on_the_way * ends.size())
       throw ComputationError("more than half of the tail's shapes of least energy could not be computed: narrow the "
                              "range (a stiffer tail, a weaker field) or lower --modes");
@@ -196,6 +241,11 @@ namespace swimtwin
     bent.polynomials = CoordinatePolynomials(bent.amplitudes, Eigen::VectorXi::Constant(seen.rows(), -1));
     return bent;
   }
+
+  template BentTail fit_bent_tail<2>(const Swimmer<2> &, const TailSpace &, const BendingCoordinates &,
+                                     const Eigen::MatrixXd &, MPI_Comm, const std::function<void(int, int)> &);
+  template BentTail fit_bent_tail<3>(const Swimmer<3> &, const TailSpace &, const BendingCoordinates &,
+                                     const Eigen::MatrixXd &, MPI_Comm, const std::function<void(int, int)> &);
 
   void record_representation(const Eigen::MatrixXd &displacements, const TailSpace &space, TailBasis &basis)
   {

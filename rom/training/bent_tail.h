@@ -15,7 +15,7 @@ namespace swimtwin
   struct BentTail
   {
     BendingCoordinates    coordinates;
-    Eigen::MatrixXd       modes;  ///< 2 n_nodes x R, orthonormal in the mean over the tail
+    Eigen::MatrixXd       modes;  ///< dim n_nodes x R, orthonormal in the mean over the tail
     Eigen::VectorXi       parity; ///< of the modes under the mirror
     ShapePolynomials      amplitudes, energy;
     CoordinatePolynomials polynomials;       ///< the amplitudes, to be evaluated
@@ -26,7 +26,8 @@ namespace swimtwin
 
   /// `seen`: coordinates that runs went through, one column each; shapes are relaxed there, a fifth beyond, and in the
   /// ball around. Collective. Throws ComputationError if too few shapes can be relaxed.
-  BentTail fit_bent_tail(const Swimmer<2> &swimmer, const TailSpace &space, const BendingCoordinates &coordinates,
+  template <int dim>
+  BentTail fit_bent_tail(const Swimmer<dim> &swimmer, const TailSpace &space, const BendingCoordinates &coordinates,
                          const Eigen::MatrixXd &seen, MPI_Comm communicator,
                          const std::function<void(int, int)> &on_progress = {});
 

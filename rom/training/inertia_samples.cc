@@ -4,6 +4,7 @@
 #include <fom/body/mesh_around.h>
 #include <fom/elastic/nodal_vector.h>
 #include <rom/swimmer/shape_amplitudes.h>
+#include <rom/training/posed_body.h>
 
 #include <optional>
 
@@ -12,6 +13,7 @@ namespace swimtwin
   namespace
   {
     /// A reduced swimmer's shapes as the full-order model has them.
+    template <int dim>
     class ModelBody
     {
     public:
@@ -20,31 +22,26 @@ namespace swimtwin
       {
       }
 
-      const Swimmer<2> &swimmer() const { return swimmer_; }
+      const Swimmer<dim> &swimmer() const { return swimmer_; }
 
-      Configuration<2> configuration(const ShapePoint &point) const
+      Configuration<dim> configuration(const ShapePoint &point) const
       {
-        const auto      &resistance = model_.resistance;
-        Configuration<2> c          = swimmer_.configuration_at_rest();
-        const double     rest_m     = c.pose.center[1];
-        const auto       middle     = c.pose.to_laboratory(swimmer_.arm_to_middle(c.shape));
-        c.pose.angle                = point.angle_rad;
-        c.shape                     = nodal_field<2>(model_.tail.modes * amplitudes_.value(point.q));
-        c.pose.center               = middle - c.pose.rotation() * swimmer_.arm_to_middle(c.shape);
+        const auto           &resistance = model_.resistance;
+        std::optional<double> height_m;
         if (resistance.depends_on_height)
-          c.pose.center[1] = rest_m + point.drift_y_m +
-                             UsualPlace{resistance.usual_by_sine_m, resistance.usual_by_coordinate}.height_m(point);
-        return c;
+          height_m =
+              point.drift_y_m + UsualPlace{resistance.usual_by_sine_m, resistance.usual_by_coordinate}.height_m(point);
+        return posed(swimmer_, point, nodal_field<dim>(model_.tail.modes * amplitudes_.value(point.q)), height_m);
       }
 
-      BodyMotions<2> motions(const Eigen::VectorXd &q) const
+      BodyMotions<dim> motions(const Eigen::VectorXd &q) const
       {
         constexpr double      share = 1e-4; // of a coordinate's scale: slopes are polynomials
         const Eigen::MatrixXd J     = amplitudes_.slopes(q);
-        BodyMotions<2>        result;
+        BodyMotions<dim>      result;
         result.slopes.resize(static_cast<std::size_t>(q.size()));
         for (Eigen::Index j = 0; j < q.size(); ++j)
-          result.modes.push_back(nodal_field<2>(model_.tail.modes * J.col(j)));
+          result.modes.push_back(nodal_field<dim>(model_.tail.modes * J.col(j)));
         for (Eigen::Index k = 0; k < q.size(); ++k)
         {
           const double    step = share * model_.resistance.coordinate_scale_m(k);
@@ -53,7 +50,7 @@ namespace swimtwin
           down(k) -= step;
           const Eigen::MatrixXd change = (amplitudes_.slopes(up) - amplitudes_.slopes(down)) / (2. * step);
           for (Eigen::Index j = 0; j < q.size(); ++j)
-            result.slopes[static_cast<std::size_t>(j)].push_back(nodal_field<2>(model_.tail.modes * change.col(j)));
+            result.slopes[static_cast<std::size_t>(j)].push_back(nodal_field<dim>(model_.tail.modes * change.col(j)));
         }
         return result;
       }
@@ -61,10 +58,11 @@ namespace swimtwin
     private:
       const ReducedModel &model_;
       ShapeAmplitudes     amplitudes_;
-      Swimmer<2>          swimmer_;
+      Swimmer<dim>        swimmer_;
     };
 
-    InertiaSample sample_of(const MotionInertia<2> &inertia)
+    template <int dim>
+    InertiaSample sample_of(const MotionInertia<dim> &inertia)
     {
       const auto    n = static_cast<int>(inertia.mass.m());
       InertiaSample sample{Eigen::MatrixXd(n, n), Eigen::MatrixXd(n, n * (n + 1) / 2)};
@@ -85,16 +83,18 @@ namespace swimtwin
       double        power_defect = 0.;
     };
 
-    std::optional<InertiaAtShape> inertia_at(const ModelBody &body, const ShapePoint &point)
+    template <int dim>
+    std::optional<InertiaAtShape> inertia_at(const ModelBody<dim> &body, const ShapePoint &point)
     {
-      const Configuration<2> c = body.configuration(point);
+      const Configuration<dim> c = body.configuration(point);
       if (body.swimmer().elasticity().is_inverted(c.shape))
         return {};
-      const BodyMotions<2> motions = body.motions(point.q);
+      const BodyMotions<dim> motions = body.motions(point.q);
       try
       {
-        const FluidDomain<2> fluid(body.swimmer().scene(), mesh_whole_around(body.swimmer(), c, MPI_COMM_SELF), c.pose);
-        const auto           of_fluid = compute_fluid_inertia(body.swimmer(), fluid, c, motions);
+        const FluidDomain<dim> fluid(body.swimmer().scene(), mesh_for_given_motions(body.swimmer(), c, MPI_COMM_SELF),
+                                     c.pose);
+        const auto             of_fluid = compute_fluid_inertia(body.swimmer(), fluid, c, motions);
         return InertiaAtShape{sample_of(of_fluid), sample_of(compute_tail_inertia(body.swimmer(), c, motions)),
                               of_fluid.power_defect()};
       }
@@ -120,15 +120,16 @@ namespace swimtwin
     }
   } // namespace
 
+  template <int dim>
   InertiaSamples sample_inertia(const ReducedModel &model, const Scene &scene, const std::vector<ShapePoint> &points,
                                 const MPI_Comm communicator, const std::function<void(int, int)> &on_progress)
   {
     int rank, n_ranks;
     MPI_Comm_rank(communicator, &rank);
     MPI_Comm_size(communicator, &n_ranks);
-    const ModelBody    body(model, scene);
-    const Eigen::Index n = model.n_modes() + n_rigid<2>, of_material = n * n + n * n * (n + 1) / 2;
-    Eigen::MatrixXd    all = Eigen::MatrixXd::Zero(2 * of_material + 1, static_cast<Eigen::Index>(points.size()));
+    const ModelBody<dim> body(model, scene);
+    const Eigen::Index   n = model.n_modes() + n_rigid_in_plane, of_material = n * n + n * n * (n + 1) / 2;
+    Eigen::MatrixXd      all = Eigen::MatrixXd::Zero(2 * of_material + 1, static_cast<Eigen::Index>(points.size()));
     for (std::size_t k = static_cast<std::size_t>(rank); k < points.size(); k += static_cast<std::size_t>(n_ranks))
     {
       if (const auto at = inertia_at(body, points[k]))
@@ -149,4 +150,9 @@ namespace swimtwin
       }
     return samples;
   }
+
+  template InertiaSamples sample_inertia<2>(const ReducedModel &, const Scene &, const std::vector<ShapePoint> &,
+                                            MPI_Comm, const std::function<void(int, int)> &);
+  template InertiaSamples sample_inertia<3>(const ReducedModel &, const Scene &, const std::vector<ShapePoint> &,
+                                            MPI_Comm, const std::function<void(int, int)> &);
 } // namespace swimtwin

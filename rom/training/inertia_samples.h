@@ -24,8 +24,9 @@ namespace swimtwin
     double                     largest_power_defect = 0.; ///< MotionInertia::power_defect of the fluid
   };
 
-  /// At the shapes and poses of the model, without those that cannot be meshed. `model.tail` and `model.resistance` are
-  /// needed. Collective.
+  /// At the shapes and poses of the model of a scene in `dim` dimensions, without those that cannot be meshed.
+  /// `model.tail` and `model.resistance` are needed. Collective.
+  template <int dim>
   InertiaSamples sample_inertia(const ReducedModel &model, const Scene &scene, const std::vector<ShapePoint> &points,
                                 MPI_Comm communicator, const std::function<void(int, int)> &on_progress = {});
 } // namespace swimtwin

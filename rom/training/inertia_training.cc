@@ -176,10 +176,12 @@ namespace swimtwin
   TrainedInertia train_inertia(const ReducedModel &model, const Scene &scene, const int n_samples,
                                const MPI_Comm communicator, const std::function<void(int, int)> &on_progress)
   {
-    const SampledRegion  region = region_of(model.resistance);
-    const InertiaSamples samples =
-        sample_inertia(model, scene, points_to_sample(model, region, n_samples), communicator, on_progress);
-    const Eigen::MatrixXd       &L = model.resistance.factor_at_rest;
+    const SampledRegion          region  = region_of(model.resistance);
+    const auto                   points  = points_to_sample(model, region, n_samples);
+    const InertiaSamples         samples = scene.dimension == 3
+                                               ? sample_inertia<3>(model, scene, points, communicator, on_progress)
+                                               : sample_inertia<2>(model, scene, points, communicator, on_progress);
+    const Eigen::MatrixXd       &L       = model.resistance.factor_at_rest;
     std::vector<Eigen::MatrixXd> edge;
     for (int k = 1; k <= region.n_variables(); ++k)
       edge.push_back(samples.fluid.at(static_cast<std::size_t>(k)).mass);
@@ -207,8 +209,8 @@ namespace swimtwin
     result.quadratic_error = qualities[chosen].quadratic;
     result.power_defect    = samples.largest_power_defect;
     result.inertia         = {sets[chosen], polynomials_of(sets[chosen], fluid, samples.fluid.front().mass, L),
-                              polynomials_of(sets[chosen], tail, samples.tail.front().mass, L), scene.head.area_m2(),
-                              scene.head.second_moment(2)};
+                              polynomials_of(sets[chosen], tail, samples.tail.front().mass, L),
+                              scene.head.volume(scene.dimension), scene.head.second_moment(scene.dimension)};
     return result;
   }
 

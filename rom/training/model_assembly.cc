@@ -7,7 +7,8 @@ namespace swimtwin
 {
   namespace
   {
-    ReducedTail assemble_tail(const Swimmer<2> &swimmer, const SnapshotSet &set, const TailBasis &basis)
+    template <int dim>
+    ReducedTail assemble_tail(const Swimmer<dim> &swimmer, const SnapshotSet &set, const TailBasis &basis)
     {
       ReducedTail tail;
       tail.nodes_m         = set.tail_nodes_m;
@@ -31,26 +32,30 @@ namespace swimtwin
     }
 
     /// Integral of the modes' gradients along the axis: what a tail magnetised along it gains by them.
-    ReducedMagnet assemble_magnet(const Swimmer<2> &swimmer, const Eigen::MatrixXd &modes)
+    template <int dim>
+    ReducedMagnet assemble_magnet(const Swimmer<dim> &swimmer, const Eigen::MatrixXd &modes)
     {
       const auto   &axial = swimmer.elasticity().axial_gradient_of_node();
       ReducedMagnet magnet;
-      magnet.head_area_m2        = swimmer.scene().head.area_m2();
+      magnet.head_area_m2        = swimmer.scene().head.volume(dim);
       magnet.tail_area_m2        = {swimmer.elasticity().volume(), 0.};
       magnet.tail_area_of_mode_m = Eigen::MatrixXd::Zero(2, modes.cols());
       for (std::size_t a = 0; a < axial.size(); ++a)
-        magnet.tail_area_of_mode_m += axial[a] * modes.middleRows(2 * a, 2);
+        magnet.tail_area_of_mode_m += axial[a] * modes.middleRows(dim * a, 2);
       return magnet;
     }
   } // namespace
 
-  ReducedModel assemble_body(const Swimmer<2> &swimmer, const SnapshotSet &set, const TailBasis &basis)
+  template <int dim>
+  ReducedModel assemble_body(const Swimmer<dim> &swimmer, const SnapshotSet &set, const TailBasis &basis)
   {
     ReducedModel model;
-    model.tail       = assemble_tail(swimmer, set, basis);
-    model.elasticity = basis.bent ? ReducedElasticity{{}, {}, swimmer.scene().tail->poisson_ratio, basis.bent->energy}
-                                  : compute_strain_grams(swimmer, model.tail.modes);
-    model.magnet     = assemble_magnet(swimmer, model.tail.modes);
+    model.tail = assemble_tail(swimmer, set, basis);
+    if (basis.bent)
+      model.elasticity = {{}, {}, swimmer.scene().tail->poisson_ratio, basis.bent->energy};
+    else if constexpr (dim == 2)
+      model.elasticity = compute_strain_grams(swimmer, model.tail.modes);
+    model.magnet = assemble_magnet(swimmer, model.tail.modes);
     // Coordinates only bend and followers follow: what is left of a change of area is not theirs to refuse.
     const Eigen::Index n = model.tail.modes.cols();
     model.area.is_kept   = false;
@@ -60,4 +65,7 @@ namespace swimtwin
     model.scene_text     = swimmer.scene().text;
     return model;
   }
+
+  template ReducedModel assemble_body<2>(const Swimmer<2> &, const SnapshotSet &, const TailBasis &);
+  template ReducedModel assemble_body<3>(const Swimmer<3> &, const SnapshotSet &, const TailBasis &);
 } // namespace swimtwin

@@ -8,5 +8,6 @@
 namespace swimtwin
 {
   /// Tail, elasticity, magnet and area of a basis; no resistance yet. `tail` describes the mesh.
-  ReducedModel assemble_body(const Swimmer<2> &swimmer, const SnapshotSet &tail, const TailBasis &basis);
+  template <int dim>
+  ReducedModel assemble_body(const Swimmer<dim> &swimmer, const SnapshotSet &tail, const TailBasis &basis);
 } // namespace swimtwin

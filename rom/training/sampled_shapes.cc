@@ -26,17 +26,19 @@ namespace swimtwin
   namespace
   {
     /// How far the middle went along x since the start.
-    double reach_along_x(const std::vector<SnapshotSet> &sets, const Swimmer<2> &swimmer)
+    template <int dim>
+    double reach_along_x(const std::vector<SnapshotSet> &sets, const Swimmer<dim> &swimmer)
     {
       double reach = 0.;
       for (const auto &set : sets)
       {
         const auto middle = [&](const Eigen::Index k) {
-          RigidPose<2> pose;
-          pose.center = dealii::Point<2>(set.pose(k, 0), set.pose(k, 1));
-          pose.angle  = set.pose(k, 2);
+          RigidPose<dim> pose;
+          pose.center[0] = set.pose(k, 0);
+          pose.center[1] = set.pose(k, 1);
+          pose.set_attitude(Attitude<dim>::about_z(set.pose(k, 2)));
           return pose.to_laboratory(
-              swimmer.arm_to_middle(nodal_field<2>(set.tail_displacement_m.row(k).transpose())))[0];
+              swimmer.arm_to_middle(nodal_field<dim>(set.tail_displacement_m.row(k).transpose())))[0];
         };
         for (Eigen::Index k = 0; k < set.pose.rows(); ++k)
           reach = std::max(reach, std::abs(middle(k) - middle(0)));
@@ -45,7 +47,9 @@ namespace swimtwin
     }
   } // namespace
 
-  Wandering wandering(const std::vector<SnapshotSet> &sets, const Swimmer<2> &swimmer, std::vector<ShapePoint> &points)
+  template <int dim>
+  Wandering wandering(const std::vector<SnapshotSet> &sets, const Swimmer<dim> &swimmer,
+                      std::vector<ShapePoint> &points)
   {
     // Heights that the snapshots do not tell stay at zero: their damping is a ten-thousandth of what they tell best.
     constexpr double   damping = 1e-4;
@@ -72,6 +76,9 @@ namespace swimtwin
     }
     return result;
   }
+
+  template Wandering wandering<2>(const std::vector<SnapshotSet> &, const Swimmer<2> &, std::vector<ShapePoint> &);
+  template Wandering wandering<3>(const std::vector<SnapshotSet> &, const Swimmer<3> &, std::vector<ShapePoint> &);
 
   SampledRegion region_around(const std::vector<ShapePoint> &points, const double margin)
   {

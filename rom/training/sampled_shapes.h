@@ -17,7 +17,9 @@ namespace swimtwin
 
   /// From runs, whose points are those of the snapshots in the same order; sets their heights. The head is at rest at
   /// height zero.
-  Wandering wandering(const std::vector<SnapshotSet> &sets, const Swimmer<2> &swimmer, std::vector<ShapePoint> &points);
+  template <int dim>
+  Wandering wandering(const std::vector<SnapshotSet> &sets, const Swimmer<dim> &swimmer,
+                      std::vector<ShapePoint> &points);
 
   /// The region that holds all points, widened by `margin`. No coordinate's scale is below a hundredth of the largest
   /// one's, so that round-off in modes that hardly move cannot leave it.

@@ -2,49 +2,54 @@
 
 #include <fom/elastic/nodal_vector.h>
 #include <datasets/system/error.h>
+#include <fom/body/mesh_around.h>
 #include <fom/resistance/motion_resistance.h>
+#include <rom/training/posed_body.h>
 
 #include <algorithm>
 
 namespace swimtwin
 {
-  ShapeSampler::ShapeSampler(const Scene &scene, const TailBasis &basis, const UsualPlace &place, SampleStore &store,
-                             const MPI_Comm communicator)
-      : scene_(scene), basis_(basis), place_(place), store_(store), communicator_(communicator),
-        swimmer_(scene, MPI_COMM_SELF)
+  template <int dim>
+  ShapeResistance<dim>::ShapeResistance(const Swimmer<dim> &swimmer, const TailBasis &basis, const UsualPlace &place)
+      : swimmer_(swimmer), basis_(basis), place_(place)
   {
+    if constexpr (dim == 3)
+    {
+      const Configuration<dim> rest = swimmer.configuration_at_rest();
+      fluid_ = std::make_unique<FluidDomain<dim>>(swimmer.scene(), mesh_for_given_motions(swimmer, rest, MPI_COMM_SELF),
+                                                  rest.pose);
+    }
   }
 
-  Configuration<2> ShapeSampler::configuration(const ShapePoint &point) const
+  template <int dim>
+  dealii::FullMatrix<double> ShapeResistance<dim>::resistance(const Configuration<dim>           &configuration,
+                                                              const std::vector<NodalField<dim>> &modes)
   {
-    Configuration<2> c      = swimmer_.configuration_at_rest();
-    const auto       middle = c.pose.to_laboratory(swimmer_.arm_to_middle(c.shape));
-    c.pose.angle            = point.angle_rad;
-    c.shape                 = nodal_field<2>(basis_.displacement(point.q));
-    // Along the channel nothing but the ends is felt, so that the middle stays where it was; the height is the head's.
-    const double rest_m = c.pose.center[1];
-    c.pose.center =
-        middle + dealii::Tensor<1, 2>({point.drift_x_m, 0.}) - c.pose.rotation() * swimmer_.arm_to_middle(c.shape);
-    c.pose.center[1] = rest_m + place_.height_m(point) + point.drift_y_m;
-    return c;
+    if (fluid_ &&
+        fluid_->follow(swimmer_.surface(configuration), configuration.pose) >= swimmer_.scene().numerics.remesh_quality)
+      return compute_motion_resistance(swimmer_, *fluid_, configuration, modes).matrix;
+    return compute_motion_resistance(swimmer_, configuration, modes, MPI_COMM_SELF).matrix;
   }
 
-  std::optional<Eigen::MatrixXd> ShapeSampler::resistance(const ShapePoint &point) const
+  template <int dim>
+  std::optional<Eigen::MatrixXd> ShapeResistance<dim>::at(const ShapePoint &point)
   {
-    const Configuration<2> c = configuration(point);
+    const Configuration<dim> c = posed(swimmer_, point, nodal_field<dim>(basis_.displacement(point.q)),
+                                       place_.height_m(point) + point.drift_y_m);
     if (swimmer_.elasticity().is_inverted(c.shape))
       return {};
-    const Eigen::MatrixXd      tangent = basis_.tangent(point.q);
-    std::vector<NodalField<2>> modes;
+    const Eigen::MatrixXd        tangent = basis_.tangent(point.q);
+    std::vector<NodalField<dim>> modes;
     for (Eigen::Index k = 0; k < tangent.cols(); ++k)
-      modes.push_back(nodal_field<2>(tangent.col(k)));
+      modes.push_back(nodal_field<dim>(tangent.col(k)));
     try
     {
-      const auto      R = compute_motion_resistance(swimmer_, c, modes, MPI_COMM_SELF).matrix;
+      const auto      R = resistance(c, modes);
       Eigen::MatrixXd result(R.m(), R.n());
       for (unsigned int i = 0; i < R.m(); ++i)
         for (unsigned int j = 0; j < R.n(); ++j)
-          result(i, j) = R(i, j) / scene_.fluid->viscosity_Pa_s;
+          result(i, j) = R(i, j) / swimmer_.scene().fluid->viscosity_Pa_s;
       return result;
     }
     catch (const ComputationError &) // the shape touches itself or a wall
@@ -53,15 +58,24 @@ namespace swimtwin
     }
   }
 
+  template class ShapeResistance<2>;
+  template class ShapeResistance<3>;
+
+  ShapeSampler::ShapeSampler(Resistance resistance, const int n_coordinates, SampleStore &store,
+                             const MPI_Comm communicator)
+      : resistance_(std::move(resistance)), n_coordinates_(n_coordinates), store_(store), communicator_(communicator)
+  {
+  }
+
   void ShapeSampler::compute(const std::vector<ShapePoint> &points)
   {
     int rank, n_ranks;
     MPI_Comm_rank(communicator_, &rank);
     MPI_Comm_size(communicator_, &n_ranks);
-    const Eigen::Index n   = basis_.n_coordinates() + n_rigid<2>;
+    const Eigen::Index n   = n_coordinates_ + n_rigid_in_plane;
     Eigen::MatrixXd    all = Eigen::MatrixXd::Zero(n * n, static_cast<Eigen::Index>(points.size()));
     for (std::size_t k = rank; k < points.size(); k += n_ranks)
-      if (const auto R = resistance(points[k]))
+      if (const auto R = resistance_(points[k]))
         all.col(k) = R->reshaped();
     MPI_Allreduce(MPI_IN_PLACE, all.data(), static_cast<int>(all.size()), MPI_DOUBLE, MPI_SUM, communicator_);
     for (std::size_t k = 0; k < points.size(); ++k)

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <fom/body/swimmer.h>
+#include <fom/fluid/fluid_domain.h>
 #include <rom/training/sample_store.h>
 #include <rom/training/tail_basis.h>
 
 #include <functional>
+#include <memory>
 #include <optional>
 
 namespace swimtwin
@@ -13,35 +15,52 @@ namespace swimtwin
   struct ResistanceSample
   {
     ShapePoint      point;
-    Eigen::MatrixXd resistance; ///< unit viscosity, per unit depth, (r + 3) x (r + 3): R^T dx/dt, omega, dq/dt
+    Eigen::MatrixXd resistance; ///< unit viscosity, in 2D per unit depth, (r + 3) x (r + 3): R^T dx/dt, omega, dq/dt
+  };
+
+  /// Of a body at any shape and pose, by the full-order fluid. In the plane it is meshed anew for each. In space meshes
+  /// are coarser, so that the resistance would jump from one to the next: there the mesh that is made around the body
+  /// at rest follows it, as it does in a run, and a new one is made only where that one would be below [numerics]
+  /// remesh_quality.
+  template <int dim>
+  class ShapeResistance
+  {
+  public:
+    /// All must outlive this.
+    ShapeResistance(const Swimmer<dim> &swimmer, const TailBasis &basis, const UsualPlace &place);
+
+    /// None where the tail is inside out or the fluid cannot be meshed.
+    std::optional<Eigen::MatrixXd> at(const ShapePoint &point);
+
+  private:
+    dealii::FullMatrix<double> resistance(const Configuration<dim>           &configuration,
+                                          const std::vector<NodalField<dim>> &modes);
+
+    const Swimmer<dim>               &swimmer_;
+    const TailBasis                  &basis_;
+    const UsualPlace                 &place_;
+    std::unique_ptr<FluidDomain<dim>> fluid_; ///< in space: follows the body
   };
 
   class ShapeSampler
   {
   public:
-    /// Every rank keeps a swimmer of its own. What the store has is not computed again, and it grows as samples come.
-    /// All must outlive this. Collective.
-    ShapeSampler(const Scene &scene, const TailBasis &basis, const UsualPlace &place, SampleStore &store,
-                 MPI_Comm communicator);
+    using Resistance = std::function<std::optional<Eigen::MatrixXd>(const ShapePoint &)>;
 
-    /// Samples in the order of the points; without those shapes that turn the tail inside out or cannot be meshed.
-    /// Collective.
+    /// What the store has is not computed again, and it grows as samples come; it must outlive this. `n_coordinates` of
+    /// the points. Collective.
+    ShapeSampler(Resistance resistance, int n_coordinates, SampleStore &store, MPI_Comm communicator);
+
+    /// Samples in the order of the points; without those shapes that have no resistance. Collective.
     std::vector<ResistanceSample> sample(const std::vector<ShapePoint>       &points,
                                          const std::function<void(int, int)> &on_progress = {});
 
-    const Swimmer<2> &swimmer() const { return swimmer_; }
-
   private:
-    Configuration<2>               configuration(const ShapePoint &point) const;
-    std::optional<Eigen::MatrixXd> resistance(const ShapePoint &point) const;
-    void                           compute(const std::vector<ShapePoint> &points);
+    void compute(const std::vector<ShapePoint> &points);
 
-    const Scene     &scene_;
-    const TailBasis &basis_;
-    UsualPlace       place_;
-    SampleStore     &store_;
-    MPI_Comm         communicator_;
-    Swimmer<2>       swimmer_;
+    Resistance   resistance_;
+    int          n_coordinates_;
+    SampleStore &store_;
+    MPI_Comm     communicator_;
   };
-
 } // namespace swimtwin

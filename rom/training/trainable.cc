@@ -1,5 +1,6 @@
 #include <rom/training/training_options.h>
 
+#include <datasets/scene/mirror_plane.h>
 #include <datasets/system/error.h>
 #include <rom/training/run_parameters.h>
 
@@ -27,8 +28,9 @@ namespace swimtwin
 
   void require_trainable(const Scene &scene)
   {
-    require(scene, scene.dimension == 2, "it is in three dimensions, where swimmers are not reduced yet",
-            "run it with simulate");
+    require(scene, scene.dimension == 2 || moves_in_plane(scene),
+            "its motion does not keep to the plane z = 0, and the reduced swimmer's does",
+            "set bz_T to zero, or run it with simulate");
     require(scene, scene.tail.has_value(), "it has no [tail], so that there is no shape to reduce",
             "run it with simulate, which is fast for a rigid body");
     require(scene, scene.fluid.has_value(), "it has no [fluid], and the reduced swimmer is driven by resistance",

@@ -23,15 +23,17 @@ namespace swimtwin
     constexpr double negligible = 1e-3;
   } // namespace
 
-  Training::Training(const Scene &scene, const TrainingOptions &options, const int n_coordinates,
-                     const std::string &sample_file, CpuBudget &budget, const MPI_Comm communicator)
+  template <int dim>
+  Training<dim>::Training(const Scene &scene, const TrainingOptions &options, const int n_coordinates,
+                          const std::string &sample_file, CpuBudget &budget, const MPI_Comm communicator)
       : scene_(scene), options_(options), n_coordinates_(n_coordinates), sample_file_(options.folder / sample_file),
         budget_(budget), communicator_(communicator), swimmer_(scene, MPI_COMM_SELF),
-        tail_(RunRecorder<2>(scene).snapshots(swimmer_)), space_(make_tail_space(tail_))
+        tail_(RunRecorder<dim>(scene).snapshots(swimmer_)), space_(make_tail_space<dim>(tail_, swimmer_.tail().mesh))
   {
   }
 
-  void Training::make_model()
+  template <int dim>
+  void Training<dim>::make_model()
   {
     take_snapshots();
     book("full-order runs");
@@ -41,21 +43,25 @@ namespace swimtwin
     model_       = assemble_body(swimmer_, tail_, basis_);
     model_.range = options_.range;
     store_       = std::make_unique<SampleStore>(sample_file_, key_of_samples());
-    sampler_     = std::make_unique<ShapeSampler>(scene_, basis_, wandering_.usual, *store_, communicator_);
+    resistance_  = std::make_unique<ShapeResistance<dim>>(swimmer_, basis_, wandering_.usual);
+    sampler_     = std::make_unique<ShapeSampler>([this](const ShapePoint &point) { return resistance_->at(point); },
+                                              basis_.n_coordinates(), *store_, communicator_);
     choose_region(*sampler_);
     sample_resistance(*sampler_);
     hold_out_samples(*sampler_);
     judge();
   }
 
-  void Training::fit_finely()
+  template <int dim>
+  void Training<dim>::fit_finely()
   {
     nearly_ = 1.;
     fit(*sampler_, points_);
     judge();
   }
 
-  void Training::add_samples(const int n)
+  template <int dim>
+  void Training<dim>::add_samples(const int n)
   {
     constexpr int n_rounds = 2;
     for (int round = 0; round < n_rounds; ++round)
@@ -63,7 +69,8 @@ namespace swimtwin
     judge();
   }
 
-  void Training::take_snapshots()
+  template <int dim>
+  void Training<dim>::take_snapshots()
   {
     const auto         given = read_sets(options_.snapshots); // refused now rather than after the runs
     TrainingRunOptions runs  = run_options("runs", "full-order runs");
@@ -76,7 +83,8 @@ namespace swimtwin
     sets_.insert(sets_.end(), given.begin(), given.end());
   }
 
-  std::vector<SnapshotSet> Training::read_sets(const std::vector<std::filesystem::path> &files) const
+  template <int dim>
+  std::vector<SnapshotSet> Training<dim>::read_sets(const std::vector<std::filesystem::path> &files) const
   {
     std::vector<SnapshotSet> sets;
     for (const auto &file : files)
@@ -87,14 +95,16 @@ namespace swimtwin
     return sets;
   }
 
-  TrainingRunOptions Training::run_options(const std::string &folder, const std::string &stage) const
+  template <int dim>
+  TrainingRunOptions Training<dim>::run_options(const std::string &folder, const std::string &stage) const
   {
     return {options_.folder / folder, options_.command_line, {}, [this, stage](const int done, const int total) {
               report(stage, done, total);
             }};
   }
 
-  void Training::choose_basis()
+  template <int dim>
+  void Training<dim>::choose_basis()
   {
     if (options_.basis == BasisChoice::bending)
       choose_bending();
@@ -106,17 +116,24 @@ namespace swimtwin
     rest_ = {Eigen::VectorXd::Zero(basis_.n_coordinates()), 0., 0., 0.};
   }
 
-  void Training::choose_modes()
+  template <int dim>
+  void Training<dim>::choose_modes()
   {
-    const TailStiffness stiffness(swimmer_, space_);
-    BasisBuilder        builder(space_, stiffness, communicator_);
-    if (options_.basis == BasisChoice::pod)
-      for (std::size_t k = 0; k < sets_.size(); ++k)
-        builder.add(sets_[k], sources_[k].string());
-    basis_ = builder.compute(n_coordinates_, options_.n_followers);
+    if constexpr (dim == 2)
+    {
+      const TailStiffness stiffness(swimmer_, space_);
+      BasisBuilder        builder(space_, stiffness, communicator_);
+      if (options_.basis == BasisChoice::pod)
+        for (std::size_t k = 0; k < sets_.size(); ++k)
+          builder.add(sets_[k], sources_[k].string());
+      basis_ = builder.compute(n_coordinates_, options_.n_followers);
+    }
+    else
+      throw InputError("the modes of a swimmer in space are bending angles: leave --basis out");
   }
 
-  void Training::choose_bending()
+  template <int dim>
+  void Training<dim>::choose_bending()
   {
     const Eigen::MatrixXd X = space_.displacements(sets_);
     BendingCoordinates    coordinates(swimmer_);
@@ -128,7 +145,8 @@ namespace swimtwin
     record_representation(X, space_, basis_);
   }
 
-  void Training::follow_head()
+  template <int dim>
+  void Training<dim>::follow_head()
   {
     shapes_seen_ = trajectory_points(sets_, basis_, space_);
     wandering_   = wandering(sets_, swimmer_, shapes_seen_);
@@ -136,14 +154,16 @@ namespace swimtwin
       forget_heights();
   }
 
-  void Training::forget_heights()
+  template <int dim>
+  void Training<dim>::forget_heights()
   {
     wandering_.usual = {0., Eigen::VectorXd::Zero(basis_.n_coordinates())};
     for (auto &point : shapes_seen_)
       point.drift_y_m = 0.;
   }
 
-  std::string Training::key_of_samples() const
+  template <int dim>
+  std::string Training<dim>::key_of_samples() const
   {
     std::string bytes = fmt::format("{} {:.17g}", scene_.hash, wandering_.usual.by_sine_m);
     bytes.append(reinterpret_cast<const char *>(wandering_.usual.by_coordinate.data()),
@@ -157,7 +177,8 @@ namespace swimtwin
     return digest(bytes);
   }
 
-  void Training::choose_region(ShapeSampler &sampler)
+  template <int dim>
+  void Training<dim>::choose_region(ShapeSampler &sampler)
   {
     region_ = region_around(shapes_seen_, options_.shape_margin);
     if (!scene_.domain->moves_with_swimmer)
@@ -174,7 +195,8 @@ namespace swimtwin
     }
   }
 
-  void Training::sample_resistance(ShapeSampler &sampler)
+  template <int dim>
+  void Training<dim>::sample_resistance(ShapeSampler &sampler)
   {
     const auto axis    = axis_points(region_, rest_);
     const auto at_axis = sampler.sample(axis);
@@ -200,7 +222,8 @@ namespace swimtwin
   }
 
   /// n more samples where the reduced swimmer goes and the fit is least sure.
-  void Training::explore_and_fit(const int n)
+  template <int dim>
+  void Training<dim>::explore_and_fit(const int n)
   {
     constexpr int n_members  = 40;
     const auto    candidates = shapes_of(explore(model_, spread_members(options_.range, n_members, explored_), rest_));
@@ -210,7 +233,8 @@ namespace swimtwin
     fit(*sampler_, points_);
   }
 
-  void Training::fit(ShapeSampler &sampler, const std::vector<ShapePoint> &points)
+  template <int dim>
+  void Training<dim>::fit(ShapeSampler &sampler, const std::vector<ShapePoint> &points)
   {
     const int total   = std::max(options_.n_samples, static_cast<int>(points.size()));
     samples_          = sampler.sample(points, [&](const int done, int) {
@@ -223,7 +247,8 @@ namespace swimtwin
   }
 
   /// Shapes of the reduced swimmer's own runs that no sample is near to.
-  void Training::hold_out_samples(ShapeSampler &sampler)
+  template <int dim>
+  void Training<dim>::hold_out_samples(ShapeSampler &sampler)
   {
     constexpr std::size_t      n      = 60;
     const auto                 points = explore(model_, spread_members(options_.range, n, 1000), rest_);
@@ -238,7 +263,8 @@ namespace swimtwin
   }
 
   /// What the model is worth.
-  void Training::judge()
+  template <int dim>
+  void Training<dim>::judge()
   {
     model_.record = {};
     record_velocity_errors();
@@ -247,7 +273,8 @@ namespace swimtwin
     book("held-out full-order runs");
   }
 
-  void Training::record_velocity_errors()
+  template <int dim>
+  void Training<dim>::record_velocity_errors()
   {
     auto  &r   = model_.record;
     double sum = 0.;
@@ -261,7 +288,8 @@ namespace swimtwin
     r.velocity_error_rms = std::sqrt(sum / std::max(1, r.n_held_out_samples));
   }
 
-  void Training::record()
+  template <int dim>
+  void Training<dim>::record()
   {
     auto &r                 = model_.record;
     r.target                = options_.target;
@@ -291,16 +319,21 @@ namespace swimtwin
                                      1e6 * basis_.projection_error_m));
   }
 
-  void Training::compare()
+  template <int dim>
+  void Training<dim>::compare()
   {
     model_.record.held_out_runs =
         compare_with_full_order(model_, scene_, spread_members(options_.range, options_.n_held_out, 200),
                                 run_options("held-out", "held-out full-order runs"), communicator_);
   }
 
-  void Training::report(const std::string &stage, const int done, const int total) const
+  template <int dim>
+  void Training<dim>::report(const std::string &stage, const int done, const int total) const
   {
     if (options_.on_progress)
       options_.on_progress(stage, done, total);
   }
+
+  template class Training<2>;
+  template class Training<3>;
 } // namespace swimtwin

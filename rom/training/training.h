@@ -23,7 +23,8 @@ namespace swimtwin
 {
   /// A model with a given number of coordinates, and all that it was made from, so that it can be made better. Scene,
   /// options and budget must live as long. Every member that does work is collective, and leaves the model with the
-  /// record of what it is worth.
+  /// record of what it is worth. In the dimensions of the scene; in space motions keep to the plane of x and y.
+  template <int dim>
   class Training
   {
   public:
@@ -70,7 +71,7 @@ namespace swimtwin
     std::filesystem::path                                     sample_file_;
     CpuBudget                                                &budget_;
     MPI_Comm                                                  communicator_;
-    Swimmer<2>                                                swimmer_;
+    Swimmer<dim>                                              swimmer_;
     SnapshotSet                                               tail_; ///< its mesh alone
     TailSpace                                                 space_;
     std::vector<std::filesystem::path>                        sources_;
@@ -84,6 +85,7 @@ namespace swimtwin
     PoseDependence                                            pose_;
     Eigen::VectorXd                                           effects_;
     std::unique_ptr<SampleStore>                              store_;
+    std::unique_ptr<ShapeResistance<dim>>                     resistance_;
     std::unique_ptr<ShapeSampler>                             sampler_;
     std::vector<ShapePoint>                                   points_;       ///< where samples are wanted
     int                                                       explored_ = 1; ///< of the range's members, the next

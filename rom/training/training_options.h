@@ -38,6 +38,7 @@ namespace swimtwin
   TrainedRange default_range(const Scene &scene);
 
   /// Throws InputError for a scene that the reduced swimmer cannot be: no tail, no fluid, a fixed head, gravity, walls
-  /// that move, a tail that is not elastic or linear, another field than the sinusoid.
+  /// that move, a tail that is not elastic or linear, another field than the sinusoid, in space a motion out of the
+  /// plane.
   void require_trainable(const Scene &scene);
 } // namespace swimtwin

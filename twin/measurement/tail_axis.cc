@@ -9,8 +9,8 @@ namespace swimtwin
   {
     const double tolerance = 1e-9 * tail.nodes_m.cwiseAbs().maxCoeff();
     for (Eigen::Index i = 0; i < tail.nodes_m.rows(); ++i)
-      if (std::abs(tail.nodes_m(i, 1)) <= tolerance)
-        nodes_.push_back({tail.nodes_m.row(i).transpose(), tail.modes.middleRows(2 * i, 2)});
+      if (tail.nodes_m.row(i).tail(tail.dimension() - 1).cwiseAbs().maxCoeff() <= tolerance)
+        nodes_.push_back({tail.nodes_m.row(i).head<2>().transpose(), tail.modes_in_plane(i)});
     if (nodes_.size() < 2)
       throw InputError("the reduced model's mesh has no nodes on the tail's axis; train it again, with a mesh that is "
                        "its own mirror image.");

@@ -218,15 +218,39 @@ namespace swimtwin
     expect_in(message, "swimtwin train");
   }
 
+  // Format version 4: a tail of tetrahedra.
+  TEST(ReducedModel, RoundTripKeepsSpace)
+  {
+    const TemporaryFolder folder;
+    ReducedModel          written = random_model();
+    written.tail.nodes_m          = Eigen::MatrixXd::Random(10, 3);
+    written.tail.cells            = Eigen::RowVectorXi::LinSpaced(10, 0, 9);
+    written.tail.modes            = Eigen::MatrixXd::Random(30, 3);
+    const ShapePolynomials straight{Eigen::Vector3d::Ones(), Eigen::Matrix3i::Identity(), Eigen::Matrix3d::Identity()};
+    written.tail.amplitudes = straight;
+    written.elasticity      = {{}, {}, .4, {straight.scale_m, straight.exponents * 2, Eigen::MatrixXd::Ones(3, 1)}};
+    write_reduced_model(folder.path / "model.h5", written, of_a_training);
+    const Hdf5Reader file(folder.path / "model.h5");
+    EXPECT_EQ(file.read_number_attribute("/", "format_version"), 4.);
+    EXPECT_EQ(file.read_number_attribute("/", "dimension"), 3.);
+    const ReducedModel read = read_reduced_model(folder.path / "model.h5");
+    EXPECT_EQ(read.dimension(), 3);
+    EXPECT_EQ(read.tail.nodes_m, written.tail.nodes_m);
+    EXPECT_EQ(read.tail.cells, written.tail.cells);
+    EXPECT_EQ(read.tail.modes, written.tail.modes);
+    written.tail.cells = Eigen::MatrixXi::Zero(1, 6);
+    expect_in(broken_rule(written), "/tail/cells has 1 x 6 values; 1 x 10 are needed");
+  }
+
   TEST(ReducedModel, RefusesAnotherFormatVersion)
   {
     const TemporaryFolder folder;
     Hdf5Writer            writer;
     writer.write_attribute("/", "format", "swimtwin reduced model");
-    writer.write_attribute("/", "format_version", 4.);
+    writer.write_attribute("/", "format_version", 5.);
     writer.save(folder.path / "model.h5");
     const std::string message = message_of<InputError>([&] { read_reduced_model(folder.path / "model.h5"); });
-    expect_in(message, "format version 4, and this program reads versions 1 to 3");
+    expect_in(message, "format version 5, and this program reads versions 1 to 4");
     expect_in(message, "train it again");
   }
 

@@ -64,7 +64,7 @@ namespace swimtwin
 
       MotionInertia<2> of_fluid(const Configuration<2> &c, const double bend) const
       {
-        const FluidDomain<2> fluid(scene, mesh_whole_around(swimmer, c, MPI_COMM_WORLD), c.pose);
+        const FluidDomain<2> fluid(scene, mesh_for_given_motions(swimmer, c, MPI_COMM_WORLD), c.pose);
         return compute_fluid_inertia(swimmer, fluid, c, motions(bend));
       }
 

@@ -55,6 +55,31 @@ namespace swimtwin
     EXPECT_NEAR(tip.angle_rad(q), std::atan(2. * deflection / 7.5e-3), 1e-12);
   }
 
+  // The plane of motion of a tail in space is the planar tail: the same nodes and modes, and others beside them.
+  TEST_F(Tails, InSpaceMoveInThePlaneAsTheirSectionDoes)
+  {
+    const Eigen::Index n             = model.tail.nodes_m.rows();
+    ReducedTail        tail          = model.tail;
+    tail.nodes_m                     = Eigen::MatrixXd::Zero(n + 1, 3);
+    tail.nodes_m.topLeftCorner(n, 2) = model.tail.nodes_m;
+    tail.nodes_m(n, 2)               = 1e-4;
+    tail.modes                       = Eigen::MatrixXd::Zero(3 * (n + 1), model.tail.modes.cols());
+    for (Eigen::Index a = 0; a < n; ++a)
+      tail.modes.middleRows(3 * a, 2) = model.tail.modes.middleRows(2 * a, 2);
+    tail.modes.bottomRows(1).setConstant(.5); // along z
+    tail.cells                  = Eigen::MatrixXi::Constant(model.tail.cells.rows(), 10, static_cast<int>(n));
+    tail.cells.leftCols(3)      = model.tail.cells.leftCols(3);
+    tail.cells.middleCols(4, 3) = model.tail.cells.rightCols(3);
+
+    const SwimmerState    state = draw();
+    const Eigen::MatrixXd x = tail_positions(tail, state), in_plane = tail_positions(model.tail, state);
+    EXPECT_LE((x.topLeftCorner(n, 2) - in_plane).cwiseAbs().maxCoeff(), 1e-18);
+    EXPECT_EQ(x.col(2).head(n).norm(), 0.);
+    EXPECT_NEAR(x(n, 2), 1e-4 + .5 * state.tail(4).sum(), 1e-15);
+    EXPECT_EQ(TailTip(tail).position_m(state.tail(4)), TailTip(model.tail).position_m(state.tail(4)));
+    EXPECT_EQ(TailTip(tail).angle_rad(state.tail(4)), TailTip(model.tail).angle_rad(state.tail(4)));
+  }
+
   TEST_F(Tails, SnapshotsHoldTheRun)
   {
     RunRequest request         = example_request(model);

@@ -1,0 +1,16 @@
+// A swimmer's body at a shape and a pose, as the full-order model has it.
+#pragma once
+
+#include <fom/body/swimmer.h>
+#include <rom/training/sample_store.h>
+
+#include <optional>
+
+namespace swimtwin
+{
+  /// Along a channel nothing but its ends is felt, so that the body's middle stays where it was at rest but for the
+  /// point's drift; `height_m` of the head's centre above that at rest, where it is told.
+  template <int dim>
+  Configuration<dim> posed(const Swimmer<dim> &swimmer, const ShapePoint &point, NodalField<dim> shape,
+                           std::optional<double> height_m);
+} // namespace swimtwin
