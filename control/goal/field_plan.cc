@@ -2,6 +2,7 @@
 #include <control/goal/measured_field.h>
 #include <control/stroke/robust_search.h>
 #include <datasets/system/error.h>
+#include <rom/sweep/trained_ratios.h>
 
 #include <fmt/format.h>
 
@@ -261,11 +262,19 @@ namespace swimtwin
           result_.warnings.push_back("the tail bends as far as the model is trusted: what lies beyond is not known");
       }
 
-      /// The model's shapes come from sinusoids of the trained range.
+      /// The model's shapes come from sinusoids of the trained range, on swimmers of its own.
       void warn_of_range(const PlannedField &best)
       {
         if (best.bx_T.empty())
           return;
+        RunRequest request;
+        request.parameters = goal_.swimmer;
+        request.drive      = drive_of(best);
+        if (const auto outside = notes_outside_range(task_.model.range, request); !outside.empty())
+          result_.warnings.push_back(fmt::format(
+              "the swimmer is not what the model was trained for ({}): say --replay to know the true gain, or train "
+              "another model",
+              fmt::join(outside, "; ")));
         const Interval &bx = task_.model.range.bx_T, &by = task_.model.range.by_T;
         if (best.largest_field_T > std::hypot(bx.high, by.high) * (1. + 1e-3) || !bx.contains(best.bx_T.front()) ||
             best.by_T.size() > 3)

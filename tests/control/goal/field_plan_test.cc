@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace swimtwin
 {
   namespace
@@ -86,6 +88,20 @@ namespace swimtwin
     const PlanResult result               = plan();
     EXPECT_EQ(result.status, "infeasible");
     EXPECT_NE(result.message.find("trusted shape"), std::string::npos) << result.message;
+  }
+
+  TEST_F(Plans, SayThatTheSwimmerIsNoneThatTheModelWasTrainedFor)
+  {
+    options.search.search.max_evaluations = 3;
+    const auto says_so                    = [this] {
+      const auto warnings = plan().warnings;
+      return std::any_of(warnings.begin(), warnings.end(), [](const std::string &warning) {
+        return warning.find("the swimmer is not what the model was trained for") != std::string::npos;
+      });
+    };
+    EXPECT_FALSE(says_so());
+    goal.swimmer.young_modulus_Pa *= 1e3;
+    EXPECT_TRUE(says_so());
   }
 
   TEST_F(Plans, RefuseWhatCannotBeAsked)
