@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 
 namespace swimtwin
 {
@@ -30,6 +31,8 @@ namespace swimtwin
     visit("neglected_share", v.neglected_share);
   }
 
+  constexpr const char *key_of_linear_iterations = "linear_iterations_mean";
+
   template <Like<RunSummary> Type, typename Visitor>
   void for_each_entry(Type &v, const Visitor &visit)
   {
@@ -42,6 +45,7 @@ namespace swimtwin
     visit("n_factorizations", v.n_factorizations);
     visit("n_tail_linear_solves", v.n_tail_linear_solves);
     visit("n_tail_factorizations", v.n_tail_factorizations);
+    visit(key_of_linear_iterations, v.linear_iterations_mean);
     visit("coupling_iterations_mean", v.coupling_iterations_mean);
     visit("n_remeshes", v.n_remeshes);
     visit("n_step_halvings", v.n_step_halvings);
@@ -102,7 +106,12 @@ namespace swimtwin
           throw InputError(fmt::format("{}: the entry {} is missing or has the wrong type.", file_, key));
         }
       }
-      /// Runs of earlier versions lack it, like the next.
+      /// Runs of earlier versions lack one of them, and the next two.
+      void operator()(const char *key, std::optional<double> &value) const
+      {
+        if (std::string_view(key) != key_of_linear_iterations || json_.contains(key))
+          operator()<std::optional<double>>(key, value);
+      }
       void operator()(const char *key, std::optional<InertiaRecord> &value) const
       {
         if (json_.contains(key))

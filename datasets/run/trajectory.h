@@ -83,7 +83,8 @@ namespace swimtwin
     std::optional<double> net_displacement_m;        ///< of the last full period; none without one
     int                   n_unknowns = 0, n_steps = 0, n_linear_solves = 0, n_factorizations = 0;
     int                   n_tail_linear_solves = 0, n_tail_factorizations = 0; ///< of those, on the tail alone
-    std::optional<double> coupling_iterations_mean;                            ///< per step; none without a step
+    std::optional<double> linear_iterations_mean;   ///< per solve; none without one, and in runs of earlier versions
+    std::optional<double> coupling_iterations_mean; ///< per step; none without a step
     int                   n_remeshes = 0, n_step_halvings = 0;
     std::optional<double> power_imbalance; ///< over the last full period, relative to its magnetic work; none without
                                            ///< a period, and without work and dissipation

@@ -159,6 +159,8 @@ namespace swimtwin
         summary.n_factorizations          = linear.n_factorizations + tail.n_factorizations;
         summary.n_tail_linear_solves      = tail.n_solves;
         summary.n_tail_factorizations     = tail.n_factorizations;
+        if (summary.n_linear_solves > 0)
+          summary.linear_iterations_mean = double(linear.n_iterations + tail.n_iterations) / summary.n_linear_solves;
         if (counts.n_steps > 0)
           summary.coupling_iterations_mean = double(coupling.n_iterations) / counts.n_steps;
         summary.n_remeshes         = counts.n_remeshes;

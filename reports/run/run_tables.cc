@@ -99,6 +99,8 @@ namespace swimtwin
               {summary.coupling_iterations_mean ? plain_number(*summary.coupling_iterations_mean, n_digits)
                                                 : "no step was done"}},
              count_row("linear solves", summary.n_linear_solves),
+             {{"iterations per solve"},
+              {summary.linear_iterations_mean ? plain_number(*summary.linear_iterations_mean, n_digits) : ""}},
              count_row("factorisations", summary.n_factorizations),
              count_row("remeshings", summary.n_remeshes),
              count_row("halved steps", summary.n_step_halvings),

@@ -41,14 +41,22 @@ namespace swimtwin
                                                             *summary.coupling_iterations_mean)
                                               : fmt::format("{} steps", summary.n_steps);
     }
+
+    std::string solves(const RunSummary &summary)
+    {
+      return summary.linear_iterations_mean ? fmt::format("{} solves of {:.1f} iterations", summary.n_linear_solves,
+                                                          *summary.linear_iterations_mean)
+                                            : fmt::format("{} solves", summary.n_linear_solves);
+    }
   } // namespace
 
   std::string describe(const Scene &scene, const RunSummary &summary)
   {
     std::string text = fmt::format("{}: {}\n", scene.name, summary.status);
     text += displacements(scene, summary) + balance(summary);
-    text += fmt::format("  {} unknowns, {}, {} factorisations, {} remeshings, {} halved steps\n", summary.n_unknowns,
-                        steps(summary), summary.n_factorizations, summary.n_remeshes, summary.n_step_halvings);
+    text += fmt::format("  {} unknowns, {}, {}, {} factorisations, {} remeshings, {} halved steps\n",
+                        summary.n_unknowns, steps(summary), solves(summary), summary.n_factorizations,
+                        summary.n_remeshes, summary.n_step_halvings);
     text += fmt::format("  {} ({:.1f} s of CPU time", duration_text(summary.wall_time_s), summary.cpu_time_s);
     for (const auto &[part, seconds] : summary.cpu_time_of_part_s)
       text += fmt::format(", {} {:.1f}", part, seconds);

@@ -70,8 +70,8 @@ namespace swimtwin
     simulate(one_period, folder.path);
     const auto summary = nlohmann::json::parse(content(folder.path / "summary.json"));
     for (const char *key : {"status", "displacement_per_period_m", "net_displacement_m", "n_unknowns", "n_steps",
-                            "n_linear_solves", "n_factorizations", "coupling_iterations_mean", "n_remeshes",
-                            "power_imbalance", "wall_time_s", "peak_memory_MB"})
+                            "n_linear_solves", "linear_iterations_mean", "n_factorizations", "coupling_iterations_mean",
+                            "n_remeshes", "power_imbalance", "wall_time_s", "peak_memory_MB"})
       EXPECT_TRUE(summary.contains(key)) << key;
     for (const char *key : {"program_version", "command_line", "scene_text", "scene_hash", "created", "wall_time_s"})
       EXPECT_TRUE(summary["provenance"].contains(key)) << key;

@@ -2,6 +2,8 @@
 #include <datasets/run/run_summary_json.h>
 #include <tests/datasets/temporary_folder.h>
 
+#include <nlohmann/json.hpp>
+
 #include <cmath>
 
 namespace swimtwin
@@ -19,6 +21,7 @@ namespace swimtwin
       summary.n_steps                   = 2;
       summary.n_linear_solves           = 3;
       summary.n_factorizations          = 4;
+      summary.linear_iterations_mean    = 7.5;
       summary.coupling_iterations_mean  = 2.5;
       summary.n_remeshes                = 5;
       summary.n_step_halvings           = 6;
@@ -40,8 +43,8 @@ namespace swimtwin
     write_run_summary_json(folder.path / "summary.json", example_record());
     const std::string text = content(folder.path / "summary.json");
     for (const char *key : {"status", "displacement_per_period_m", "net_displacement_m", "n_unknowns", "n_steps",
-                            "n_linear_solves", "n_factorizations", "coupling_iterations_mean", "n_remeshes",
-                            "power_imbalance", "wall_time_s", "peak_memory_MB", "n_step_halvings",
+                            "n_linear_solves", "linear_iterations_mean", "n_factorizations", "coupling_iterations_mean",
+                            "n_remeshes", "power_imbalance", "wall_time_s", "peak_memory_MB", "n_step_halvings",
                             "worst_power_imbalance", "inertia", "cpu_time_s", "cpu_time_of_part_s", "provenance"})
       expect_in(text, "\n  \"" + std::string(key) + "\": ");
     expect_in(text, "\"status\": \"completed\"");
@@ -58,6 +61,7 @@ namespace swimtwin
     EXPECT_EQ(read.summary.displacement_per_period_m, written.summary.displacement_per_period_m);
     EXPECT_EQ(read.summary.cpu_time_of_part_s, written.summary.cpu_time_of_part_s);
     EXPECT_EQ(read.summary.n_factorizations, 4);
+    EXPECT_EQ(read.summary.linear_iterations_mean, 7.5);
     ASSERT_TRUE(read.summary.inertia.has_value());
     EXPECT_EQ(read.summary.inertia->kept, std::vector<std::string>{"head"});
     EXPECT_EQ(read.summary.inertia->head_share, .03);
@@ -107,6 +111,10 @@ namespace swimtwin
     const auto  begin = text.find("  \"work_of_last_period\"");
     text.erase(begin, text.find('}', begin) + 3 - begin);
     EXPECT_FALSE(read_run_summary_json(folder.write("earlier.json", text)).summary.work_of_last_period.has_value());
+    auto json = nlohmann::json::parse(content(folder.path / "summary.json"));
+    json.erase("linear_iterations_mean");
+    EXPECT_FALSE(
+        read_run_summary_json(folder.write("earlier.json", json.dump())).summary.linear_iterations_mean.has_value());
   }
 
   TEST(RunSummaryJson, NamesAMissingEntry)
