@@ -17,6 +17,7 @@
 #include <datasets/system/console.h>
 #include <datasets/text/csv_table.h>
 #include <datasets/system/error.h>
+#include <datasets/scene/dimensionless_groups.h>
 #include <datasets/scene/inertia_terms.h>
 #include <datasets/system/provenance.h>
 #include <reports/fit/calibration_files.h>
@@ -144,9 +145,9 @@ namespace swimtwin
       if (carried.any() || !is_missed || !(share > noticed))
         return {};
       return fmt::format(
-          "the reduced swimmer neglects inertia, an estimated {:.2g} % of the displacement at {:.4g} Hz with the "
-          "scene's viscosity and stiffness: where the data have it, the estimates make up for it",
-          100. * share, extreme.frequency_Hz);
+          "the reduced swimmer neglects inertia, {} at {:.4g} Hz with the scene's viscosity and stiffness: where the "
+          "data have it, the estimates make up for it",
+          share_of_displacement(scene, share), extreme.frequency_Hz);
     }
 
     void complete(const CalibrateCommand &command, const ReducedModel &model, const CalibrationProblem &problem,

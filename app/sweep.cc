@@ -121,8 +121,9 @@ namespace swimtwin
         return {};
       const std::string finding = fmt::format(
           "at {:.4g} Hz, {:.4g} Pa s and {:.4g} Pa the unsteady group 2 pi rho f L^2 / mu is {:.3g}, and the "
-          "reduced swimmer neglects {}, an estimated {:.2g} % of the displacement",
-          frequency, viscosity, modulus, group, carried.any() ? "part of the inertia" : "inertia", 100. * share);
+          "reduced swimmer neglects {}, {}",
+          frequency, viscosity, modulus, group, carried.any() ? "part of the inertia" : "inertia",
+          share_of_displacement(scene, share));
       if (group > largest_unsteady_group && !allowed)
         throw InputError(
             fmt::format("{}: above {} its displacements are wrong; lower --frequency or raise --viscosity, or "

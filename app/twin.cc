@@ -5,6 +5,7 @@
 #include <app/written_files.h>
 #include <datasets/files/input_file.h>
 #include <datasets/reduced/reduced_model.h>
+#include <datasets/scene/dimensionless_groups.h>
 #include <datasets/scene/inertia_terms.h>
 #include <datasets/system/console.h>
 #include <datasets/system/error.h>
@@ -43,9 +44,9 @@ namespace swimtwin
                                                 config.options.nominal.young_modulus_Pa)
                                .together();
       if (!config.options.densities.any() && share > noticed)
-        warn(fmt::format("the twin's swimmer has no inertia, an estimated {:.2g} % of the displacement at {:.4g} Hz: a "
-                         "swimmer that has is taken for one of other stiffness and magnetization",
-                         100. * share, 1. / config.period_s));
+        warn(fmt::format("the twin's swimmer has no inertia, {} at {:.4g} Hz: a swimmer that has is taken for one of "
+                         "other stiffness and magnetization",
+                         share_of_displacement(scene, share), 1. / config.period_s));
     }
 
     void watch(const TwinCommand &command)

@@ -68,15 +68,21 @@ namespace swimtwin
     return largest;
   }
 
+  std::string share_of_displacement(const Scene &scene, const double share)
+  {
+    return scene.dimension == 3 ? "a share of the displacement that is not estimated in space"
+                                : fmt::format("an estimated {:.2g} % of the displacement", 100. * share);
+  }
+
   std::string inertia_warning(const Scene &scene)
   {
     const double share = neglected_share(scene);
     if (share <= negligible_share)
       return {};
     return fmt::format(
-        "inertia is left out, and with it an estimated {:.2g} % of the displacement; use [numerics] coupling "
-        "= \"monolithic\" to keep it, or set [fluid] inertia = \"none\" to neglect it knowingly",
-        100. * share);
+        "inertia is left out, and with it {}; use [numerics] coupling = \"monolithic\" to keep it, or set [fluid] "
+        "inertia = \"none\" to neglect it knowingly",
+        share_of_displacement(scene, share));
   }
 
   double magnetic_group(const Scene &scene)

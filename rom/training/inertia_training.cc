@@ -240,8 +240,9 @@ namespace swimtwin
                      "Of the fluid's inertia what is not of first order in its density: the unsteady group 2 pi "
                      "rho f L^2 / mu is up to {:.2g}.",
                      group)
-               : fmt::format("Inertia of fluid and solid: the unsteady group 2 pi rho f L^2 / mu is up to {:.2g}, an "
-                             "estimated {:.2g} % of the displacement are missing there with the stiffest tail.",
-                             group, 100. * largest_shares(scene, range).together());
+               : fmt::format(
+                     "Inertia of fluid and solid: the unsteady group 2 pi rho f L^2 / mu is up to {:.2g}; with the "
+                     "stiffest tail {} is missing there.",
+                     group, share_of_displacement(scene, largest_shares(scene, range).together()));
   }
 } // namespace swimtwin
