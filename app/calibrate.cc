@@ -135,7 +135,7 @@ namespace swimtwin
       const InertialExtreme extreme = extreme_of(scene, sets);
       const double          share   = extreme.shares(scene).together();
       if (const double error = error_of_carried_inertia(share, extreme.group_of_domain(scene));
-          carried.any() && error > noticed)
+          carried.any() && error > noticed && scene.dimension == 2)
         return fmt::format(
             "the reduced swimmer knows inertia to some {:.2g} % of the displacement at {:.4g} Hz with the "
             "scene's viscosity and stiffness; the estimates make up for it",

@@ -106,7 +106,8 @@ namespace swimtwin
   void reach_and_report(const TrackCommand &command)
   {
     const ReducedModel model = read_reduced_model(find_model(command.model));
-    const Scene        scene = parse_scene(model.scene_text, model.scene_name + ".toml");
+    // As the reduced swimmer plans, without inertia: a replay is about everything else.
+    const Scene scene = parse_scene(model.scene_text, model.scene_name + ".toml", {"fluid.inertia=none"});
     require_borne_model_error(model, command.model, command.accepts_model_error);
     TargetRecord record;
     record.goal          = read_target_goal(command.goal, model);

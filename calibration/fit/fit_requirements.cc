@@ -60,9 +60,13 @@ namespace swimtwin
   void require_fixed_lengths(const FitInput &input)
   {
     const auto is_length = [](const auto &parameter) { return parameter.quantity == FittedQuantity::geometry_scale; };
-    if (input.model.swimmer.has_inertia() &&
-        (std::any_of(input.problem.free.begin(), input.problem.free.end(), is_length) ||
-         std::any_of(input.problem.given.begin(), input.problem.given.end(), is_length)))
+    if (std::none_of(input.problem.free.begin(), input.problem.free.end(), is_length) &&
+        std::none_of(input.problem.given.begin(), input.problem.given.end(), is_length))
+      return;
+    if (input.reduced.dimension() == 3)
+      throw InputError("geometry_scale is not known in three dimensions, where no scene of the fitted swimmer could be "
+                       "written; leave it out of the problem.");
+    if (input.model.swimmer.has_inertia())
       throw InputError("geometry_scale does not go with inertia, which makes swimmers of different lengths swim "
                        "differently; leave it out of the problem, or leave inertia out with --inertia none.");
   }

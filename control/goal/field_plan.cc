@@ -271,10 +271,10 @@ namespace swimtwin
         request.parameters = goal_.swimmer;
         request.drive      = drive_of(best);
         if (const auto outside = notes_outside_range(task_.model.range, request); !outside.empty())
-          result_.warnings.push_back(fmt::format(
-              "the swimmer is not what the model was trained for ({}): say --replay to know the true gain, or train "
-              "another model",
-              fmt::join(outside, "; ")));
+          result_.warnings.push_back(fmt::format("swimmer and frequency are not what the model was trained for ({}): "
+                                                 "say --replay to know the true gain, or "
+                                                 "train another model",
+                                                 fmt::join(outside, "; ")));
         const Interval &bx = task_.model.range.bx_T, &by = task_.model.range.by_T;
         if (best.largest_field_T > std::hypot(bx.high, by.high) * (1. + 1e-3) || !bx.contains(best.bx_T.front()) ||
             best.by_T.size() > 3)

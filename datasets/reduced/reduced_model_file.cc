@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 
 namespace swimtwin
 {
@@ -38,8 +39,8 @@ namespace swimtwin
       writer.write_matrix(path + "_coefficients", polynomials.coefficients, coefficients);
     }
 
-    /// Of what is per unit depth in two dimensions.
-    std::string per_depth(const int dimension, const int power)
+    /// Of what is per unit depth in two dimensions and whole in space.
+    std::string metres(const int dimension, const int power)
     {
       return fmt::format("m^{}", dimension == 3 ? power + 1 : power);
     }
@@ -79,7 +80,7 @@ namespace swimtwin
     {
       if (elasticity.energy.are_given())
         write_polynomials(writer, "/elasticity/energy", elasticity.energy,
-                          {per_depth(dimension, 2), "elastic energy over Young's modulus"});
+                          {metres(dimension, 2), "elastic energy over Young's modulus"});
       else
         write_gram_matrices(writer, elasticity);
       writer.write_attribute("/elasticity", "poisson_ratio", elasticity.poisson_ratio);
@@ -88,9 +89,9 @@ namespace swimtwin
     void write_magnet(Hdf5Writer &writer, const ReducedMagnet &magnet, const int dimension)
     {
       writer.write_vector("/magnet/tail_area_m2", Eigen::VectorXd(magnet.tail_area_m2),
-                          {per_depth(dimension, 2), "moment of the tail at rest over its magnetization"});
+                          {metres(dimension, 2), "moment of the tail at rest over its magnetization"});
       writer.write_matrix("/magnet/tail_area_of_mode_m", magnet.tail_area_of_mode_m,
-                          {per_depth(dimension, 1), "its derivative by each mode's amplitude, one mode per column"});
+                          {metres(dimension, 1), "its derivative by each mode's amplitude, one mode per column"});
       writer.write_attribute("/magnet", "head_area_m2", magnet.head_area_m2);
     }
 
@@ -101,10 +102,10 @@ namespace swimtwin
       writer.write_attribute("/area", "is_kept", area.is_kept ? 1. : 0.);
     }
 
-    void write_resistance(Hdf5Writer &writer, const ReducedResistance &resistance)
+    void write_resistance(Hdf5Writer &writer, const ReducedResistance &resistance, const int dimension)
     {
       writer.write_matrix("/resistance/factor_at_rest", resistance.factor_at_rest,
-                          {"square roots of the resistance's",
+                          {dimension == 3 ? "m^(1/2 or 3/2)" : "m^(0 or 1)",
                            "L_0 of R = L_0 C C^T L_0^T, unit viscosity, in two dimensions per unit depth; Ux, Uy, "
                            "omega, modes"});
       writer.write_vector("/resistance/coordinate_scale_m", resistance.coordinate_scale_m,
@@ -127,7 +128,7 @@ namespace swimtwin
       writer.write_attribute("/resistance", "height_scale_m", resistance.height_scale_m);
     }
 
-    void write_inertia(Hdf5Writer &writer, const ReducedInertia &inertia)
+    void write_inertia(Hdf5Writer &writer, const ReducedInertia &inertia, const int dimension)
     {
       if (!inertia.is_given())
         return;
@@ -137,13 +138,13 @@ namespace swimtwin
            {std::pair<std::string, const InertiaPolynomials &>{"fluid", inertia.fluid}, {"tail", inertia.tail}})
       {
         writer.write_matrix("/inertia/" + name + "_factor_at_rest", material.factor_at_rest,
-                            {"square roots of the mass's",
+                            {dimension == 3 ? "m^(3/2) to m^(5/2)" : "m to m^2",
                              "L_0 of M = L_0 C C^T L_0^T at unit density, in two dimensions per unit depth"});
         writer.write_matrix(
             "/inertia/" + name + "_mass", material.mass,
             {"1", "one monomial per row; column i (i + 1) / 2 + j is entry (i, j) of C, log on the diagonal"});
         writer.write_matrix("/inertia/" + name + "_quadratic", material.quadratic,
-                            {"of the mass, some per m",
+                            {dimension == 3 ? "m^3 to m^5 (per m)" : "m^2 to m^4 (per m)",
                              "force i by velocities j and k, k <= j, at i n (n + 1) / 2 + j (j + 1) / 2 + k, beside "
                              "half of dM/dt; unit density"});
       }
@@ -168,7 +169,7 @@ namespace swimtwin
         throw InputError(fmt::format(
             "{} is an HDF5 file, but not a reduced model; give one that `swimtwin train` made.", file.string()));
       const double version = reader.read_number_attribute("/", "format_version");
-      if (!(version >= 1 && version <= ReducedModel::format_version))
+      if (!(version >= 1 && version <= ReducedModel::format_version && version == std::floor(version)))
         throw InputError(
             fmt::format("{} is a reduced model of format version {}, and this program reads versions 1 to {}; "
                         "train it again with this program, or use the one that made it.",
@@ -300,8 +301,8 @@ namespace swimtwin
     write_elasticity(writer, model.elasticity, model.dimension());
     write_magnet(writer, model.magnet, model.dimension());
     write_area(writer, model.area);
-    write_resistance(writer, model.resistance);
-    write_inertia(writer, model.inertia);
+    write_resistance(writer, model.resistance, model.dimension());
+    write_inertia(writer, model.inertia, model.dimension());
     for_each_interval(model.range, [&](const char *path, const char *units, const Interval &interval) {
       writer.write_vector(path, std::array{interval.low, interval.high},
                           {units, "lowest and highest value in training"});
@@ -326,6 +327,9 @@ namespace swimtwin
     model.inertia    = read_inertia(reader);
     model.range      = read_range(reader);
     model.record     = read_training_record(reader);
+    if (reader.has_attribute("/", "dimension") && reader.read_number_attribute("/", "dimension") != model.dimension())
+      reader.refuse("/tail/nodes_m",
+                    fmt::format("has {} columns, and the file says another dimension.", model.dimension()));
     if (const ModelProblem problem = find_problem(model); !problem.path.empty())
       reader.refuse(problem.path, problem.sentence);
     return model;

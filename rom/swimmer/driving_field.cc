@@ -94,7 +94,7 @@ namespace swimtwin
                       program.ramp_s));
     if (program.leaves_plane())
       throw InputError(fmt::format("{} has a component along z, and the reduced swimmer moves in the plane of x and y; "
-                                   "set bz_T to zero, or simulate it with dimension = 3.",
+                                   "set bz_T to zero, or simulate it in three dimensions.",
                                    program.file.empty() ? "[field] of the scene" : program.file.string()));
     Drive drive;
     if (program.waveform() == FieldProgram::Waveform::sampled)

@@ -28,7 +28,14 @@ namespace swimtwin
   {
     if (fluid_ &&
         fluid_->follow(swimmer_.surface(configuration), configuration.pose) >= swimmer_.scene().numerics.remesh_quality)
-      return compute_motion_resistance(swimmer_, *fluid_, configuration, modes).matrix;
+      try
+      {
+        return compute_motion_resistance(swimmer_, *fluid_, configuration, modes).matrix;
+      }
+      catch (const ComputationError &)
+      {
+        // its elements are too bent
+      }
     return compute_motion_resistance(swimmer_, configuration, modes, MPI_COMM_SELF).matrix;
   }
 

@@ -125,10 +125,13 @@ namespace swimtwin
     const CellSearch<3>                                       search(mesh, mesh.nodes);
     const auto                                                images = images_of_nodes(mesh); // in the plane of motion
     std::vector<std::vector<std::pair<unsigned int, double>>> at_image(mesh.n_nodes());
+    std::vector<char>                                         is_clamped(mesh.n_nodes(), 0); // where fields are zero
+    for (const int node : set.clamped_nodes)
+      is_clamped[static_cast<unsigned int>(node)] = 1;
     for (unsigned int node = 0; node < mesh.n_nodes(); ++node)
     {
       const auto &x = mesh.nodes[node];
-      if (images && x[2] < 0.)
+      if ((images && x[2] < 0.) || is_clamped[node])
         continue;
       const auto place = search.find({x[0], -x[1], x[2]});
       if (!place)
@@ -144,7 +147,7 @@ namespace swimtwin
       }
     }
     for (unsigned int node = 0; node < mesh.n_nodes(); ++node)
-      if (at_image[node].empty())
+      if (at_image[node].empty() && !is_clamped[node])
         for (const auto &[other, value] : at_image[(*images)[node]])
           at_image[node].emplace_back((*images)[other], value);
     TailSpace space = without_mirror(set);
@@ -171,7 +174,10 @@ namespace swimtwin
 
   void TailSpace::require_same_mesh(const SnapshotSet &set, const std::string &origin) const
   {
-    if (set.tail_nodes_m.rows() != nodes_m.rows() ||
+    if (set.pose_in_space.size() > 0)
+      throw InputError(
+          origin + " has motions out of the plane of x and y, in which the reduced swimmer moves: leave it " + "out");
+    if (set.tail_nodes_m.rows() != nodes_m.rows() || set.tail_nodes_m.cols() != nodes_m.cols() ||
         (set.tail_nodes_m - nodes_m).cwiseAbs().maxCoeff() > 1e-12 * nodes_m.cwiseAbs().maxCoeff())
       throw InputError(origin + " has another tail mesh than the scene: snapshots that are used together need the " +
                        "same [tail] shape and mesh sizes");

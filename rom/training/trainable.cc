@@ -26,11 +26,22 @@ namespace swimtwin
     }
   } // namespace
 
+  namespace
+  {
+    void require_motion_in_plane(const Scene &scene)
+    {
+      require(scene, !scene.has_surfaces(),
+              "it has walls or a body from surface files, which a model cannot carry along",
+              "run it with simulate, or use a domain and a head that are known by their shapes");
+      require(scene, !scene.field.leaves_plane(),
+              "the field leaves the plane of x and y, and the reduced swimmer moves in it", "set bz_T to zero");
+      require(scene, moves_in_plane(scene), "half of it is not solved by itself, and the reduced swimmer is",
+              "leave [numerics] symmetric_half at \"auto\"");
+    }
+  } // namespace
+
   void require_trainable(const Scene &scene)
   {
-    require(scene, scene.dimension == 2 || moves_in_plane(scene),
-            "its motion does not keep to the plane z = 0, and the reduced swimmer's does",
-            "set bz_T to zero, or run it with simulate");
     require(scene, scene.tail.has_value(), "it has no [tail], so that there is no shape to reduce",
             "run it with simulate, which is fast for a rigid body");
     require(scene, scene.fluid.has_value(), "it has no [fluid], and the reduced swimmer is driven by resistance",
@@ -53,6 +64,8 @@ namespace swimtwin
     require(scene, scene.field.ramp_s == 0.,
             "[field] ramp_s makes the field differ from period to period, which no run of a reduced swimmer repeats",
             "take it out");
+    if (scene.dimension == 3)
+      require_motion_in_plane(scene);
   }
 
   TrainedRange default_range(const Scene &scene)

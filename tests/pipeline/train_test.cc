@@ -116,6 +116,9 @@ namespace swimtwin
     refuse({"open-2d", "--young-modulus", "-1:2"}, {"--young-modulus"});
     refuse({"open-2d", "--young-modulus", "soft"}, {"--young-modulus"});
     refuse({"open-2d", "--snapshots", "nothing.h5"}, {"nothing.h5"});
+    refuse({"reference-3d-paper", "--basis", "pod"}, {"three dimensions", "--basis"});
+    refuse({"reference-3d-paper", "--set", "field.bz_T=1e-3"}, {"cannot be trained", "bz_T"});
+    refuse({"reference-3d-paper", "--set", "numerics.symmetric_half=\"off\""}, {"cannot be trained", "symmetric_half"});
     EXPECT_FALSE(std::filesystem::exists("unused"));
   }
 

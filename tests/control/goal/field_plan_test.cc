@@ -96,7 +96,7 @@ namespace swimtwin
     const auto says_so                    = [this] {
       const auto warnings = plan().warnings;
       return std::any_of(warnings.begin(), warnings.end(), [](const std::string &warning) {
-        return warning.find("the swimmer is not what the model was trained for") != std::string::npos;
+        return warning.find("swimmer and frequency are not what the model was trained for") != std::string::npos;
       });
     };
     EXPECT_FALSE(says_so());

@@ -97,6 +97,22 @@ namespace swimtwin
         1e-9);
   }
 
+  // The mesh made at rest follows both bodies alike.
+  TEST(MotionsInSpace, OfABentBodyAreResistedByBothHalvesAsByOneTwice)
+  {
+    const auto resist = [](const SpatialBody &body) {
+      const auto     rest = body.swimmer.configuration_at_rest();
+      FluidDomain<3> fluid(body.scene, mesh_for_given_motions(body.swimmer, rest, MPI_COMM_WORLD), rest.pose);
+      auto           c = rest;
+      c.shape          = body.bending(1.);
+      c.pose.set_attitude(Attitude<3>::about_z(.2));
+      EXPECT_GT(fluid.follow(body.swimmer.surface(c), c.pose), 0.);
+      return compute_motion_resistance(body.swimmer, fluid, c, {body.bending(1.), body.stretching()}).matrix;
+    };
+    const SpatialBody half("reference-3d-paper", "on"), whole("reference-3d-paper", "off");
+    EXPECT_LT(difference(resist(half), resist(whole)), 1e-8);
+  }
+
   TEST(MotionsInSpace, RigidOnesAreTheInverseOfTheMobility)
   {
     const SpatialBody body("reference-3d-paper", "on");
@@ -123,7 +139,7 @@ namespace swimtwin
     }
   }
 
-  // A rigid body of the tail's mass and moment of inertia, which the mesh tells.
+  // A rigid body of the tail's mass, whose products of inertia are those of a body of revolution.
   TEST(MotionsInSpace, OfTheTailAloneHaveItsMass)
   {
     const SpatialBody body("reference-3d-paper", "on");
@@ -132,5 +148,8 @@ namespace swimtwin
     EXPECT_NEAR(of_tail.mass(0, 0), volume, 1e-12 * volume);
     EXPECT_NEAR(of_tail.mass(1, 1), volume, 1e-12 * volume);
     EXPECT_NEAR(of_tail.mass(0, 1), 0., 1e-12 * volume);
+    EXPECT_NEAR(of_tail.mass(0, 2), 0., 1e-3 * volume * body.scene.tail->length_m);
+    EXPECT_GT(of_tail.mass(1, 2), .2 * volume * body.scene.tail->length_m); // the middle lies behind the head
+    EXPECT_GT(of_tail.mass(2, 2) * of_tail.mass(1, 1), std::pow(of_tail.mass(1, 2), 2));
   }
 } // namespace swimtwin

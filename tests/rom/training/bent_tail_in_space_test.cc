@@ -93,6 +93,8 @@ namespace swimtwin
     const BentTail bent = fit_bent_tail(body.swimmer, body.space, body.coordinates, seen, MPI_COMM_WORLD);
     EXPECT_LE(bent.shape_error, 2e-3);
     EXPECT_LE(bent.moment_error, 2e-3);
+    for (const int node : body.mesh.clamped_nodes)
+      EXPECT_EQ(bent.modes.middleRows(3 * node, 3).cwiseAbs().maxCoeff(), 0.);
     const auto images = *images_of_nodes(body.swimmer.tail().mesh); // in the plane of motion
     for (Eigen::Index k = 0; k < bent.modes.cols(); ++k)
       for (unsigned int a = 0; a < images.size(); ++a)
