@@ -83,7 +83,7 @@ namespace swimtwin
     EXPECT_LE(model.record.velocity_error_max, 0.01);
   }
 
-  INSTANTIATE_TEST_SUITE_P(All, ShippedModels, ::testing::Values("reference-2d", "open-2d"));
+  INSTANTIATE_TEST_SUITE_P(All, ShippedModels, ::testing::Values("reference-2d", "open-2d", "reference-3d"));
 
   namespace
   {
@@ -152,6 +152,30 @@ namespace swimtwin
           100. * worst_high);
     }
   } // namespace
+
+  // Runs in space that it was not trained on, third period, where its range has them; in the periodic state the runs
+  // are of a coarser mesh.
+  TEST(ShippedSpatialModel, DisplacementsAreThoseOfTheFullOrderModel)
+  {
+    const ReducedModel model = shipped_model("reference-3d");
+    EXPECT_EQ(model.dimension(), 3);
+    const CsvTable table = CsvTable::read(datasets / "reference" / "displacement-frequency-3d.csv");
+    const auto R = table.column("head_radius_m"), f = table.column("frequency_Hz"), d = table.column("displacement_m"),
+               step = table.column("step_error_m");
+    double squares = 0., worst = 0.;
+    int    n = 0;
+    for (std::size_t k = 0; k < table.n_rows(); ++k)
+      if (R[k] == .75e-3 && model.range.frequency_Hz.contains(f[k]))
+      {
+        const double error = std::abs(predicted(model, {2e5, 1e5, f[k], d[k], 0.}) / d[k] - 1.);
+        EXPECT_LE(error, .015 + step[k] / d[k]) << f[k] << " Hz";
+        worst = std::max(worst, error);
+        squares += error * error;
+        ++n;
+      }
+    EXPECT_GE(n, 7);
+    std::printf("in space, %d points: %.2f %% rms, worst %.2f %%\n", n, 100. * std::sqrt(squares / n), 100. * worst);
+  }
 
   // None of the points was trained on.
   TEST(ShippedReferenceModel, DisplacementsAreThoseOfTheFullOrderModel)
