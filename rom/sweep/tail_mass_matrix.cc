@@ -1,4 +1,5 @@
 #include <rom/sweep/tail_mass_matrix.h>
+#include <rom/swimmer/simplex_edges.h>
 
 #include <array>
 #include <cmath>
@@ -53,16 +54,18 @@ namespace swimtwin
       return points;
     }
 
-    constexpr std::array<std::array<int, 2>, 6> edges{{{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
-
     /// Quadratic shape functions: of the vertices, then of the edges' middles.
     Eigen::VectorXd shape_functions(const Eigen::VectorXd &L, const Eigen::Index n)
     {
       Eigen::VectorXd N(n);
       for (Eigen::Index i = 0; i < n; ++i)
-        N[i] = i < L.size() ? L[i] * (2. * L[i] - 1.)
-                            : 4. * L[edges[static_cast<std::size_t>(i - L.size())][0]] *
-                                  L[edges[static_cast<std::size_t>(i - L.size())][1]];
+        if (i < L.size())
+          N[i] = L[i] * (2. * L[i] - 1.);
+        else
+        {
+          const auto &[a, b] = simplex_edges[static_cast<std::size_t>(i - L.size())];
+          N[i]               = 4. * L[a] * L[b];
+        }
       return N;
     }
 
@@ -76,7 +79,7 @@ namespace swimtwin
           by_place(i, i) = 4. * L[i] - 1.;
         else
         {
-          const auto &[a, b] = edges[static_cast<std::size_t>(i - m)];
+          const auto &[a, b] = simplex_edges[static_cast<std::size_t>(i - m)];
           by_place(a, i)     = 4. * L[b];
           by_place(b, i)     = 4. * L[a];
         }

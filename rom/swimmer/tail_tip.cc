@@ -1,3 +1,4 @@
+#include <rom/swimmer/simplex_edges.h>
 #include <rom/swimmer/tail_tip.h>
 
 #include <cmath>
@@ -9,12 +10,11 @@ namespace swimtwin
     /// Vertex at the other end of the edge from the tip; the tip itself if the mesh has no such edge.
     int start_of_last_edge(const ReducedTail &tail)
     {
-      constexpr std::array<std::array<int, 2>, 6> ends{{{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
       const int n_vertices = tail.dimension() + 1, n_edges = static_cast<int>(tail.cells.cols()) - n_vertices;
       for (Eigen::Index c = 0; c < tail.cells.rows(); ++c)
         for (int edge = 0; edge < n_edges; ++edge)
         {
-          const int a = tail.cells(c, ends[edge][0]), b = tail.cells(c, ends[edge][1]),
+          const int a = tail.cells(c, simplex_edges[edge][0]), b = tail.cells(c, simplex_edges[edge][1]),
                     middle = tail.cells(c, n_vertices + edge);
           if (middle == tail.before_tip_node && (a == tail.tip_node || b == tail.tip_node))
             return a == tail.tip_node ? b : a;

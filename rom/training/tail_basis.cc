@@ -175,8 +175,8 @@ namespace swimtwin
   void TailSpace::require_same_mesh(const SnapshotSet &set, const std::string &origin) const
   {
     if (set.pose_in_space.size() > 0)
-      throw InputError(
-          origin + " has motions out of the plane of x and y, in which the reduced swimmer moves: leave it " + "out");
+      throw InputError(origin +
+                       " has motions out of the plane of x and y, in which the reduced swimmer moves: leave it out");
     if (set.tail_nodes_m.rows() != nodes_m.rows() || set.tail_nodes_m.cols() != nodes_m.cols() ||
         (set.tail_nodes_m - nodes_m).cwiseAbs().maxCoeff() > 1e-12 * nodes_m.cwiseAbs().maxCoeff())
       throw InputError(origin + " has another tail mesh than the scene: snapshots that are used together need the " +

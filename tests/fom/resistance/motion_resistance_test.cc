@@ -2,6 +2,7 @@
 
 #include <fom/resistance/fluid_rigid_system.h>
 #include <fom/resistance/resistance.h>
+#include <tests/fom/resistance/tail_motions.h>
 #include <tests/fom/shipped_scene.h>
 
 #include <gtest/gtest.h>
@@ -33,24 +34,8 @@ namespace swimtwin
         return c;
       }
 
-      NodalField<2> bending(const double amount) const
-      {
-        NodalField<2> field(swimmer.tail().mesh.n_nodes());
-        for (unsigned int a = 0; a < field.size(); ++a)
-          if (!swimmer.is_clamped(a))
-            field[a][1] = amount * 10. * std::pow(swimmer.tail().mesh.nodes[a][0] - scene.head.size_m[0] / 2, 2);
-        return field;
-      }
-
-      /// Stretching along the axis: changes the body's area.
-      NodalField<2> stretching() const
-      {
-        NodalField<2> field(swimmer.tail().mesh.n_nodes());
-        for (unsigned int a = 0; a < field.size(); ++a)
-          if (!swimmer.is_clamped(a))
-            field[a][0] = swimmer.tail().mesh.nodes[a][0] - scene.head.size_m[0] / 2;
-        return field;
-      }
+      NodalField<2> bending(const double amount) const { return bending_of(swimmer, amount); }
+      NodalField<2> stretching() const { return stretching_of(swimmer); }
     };
   } // namespace
 

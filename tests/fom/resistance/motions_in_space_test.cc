@@ -3,6 +3,7 @@
 
 #include <fom/body/mesh_around.h>
 #include <fom/resistance/resistance.h>
+#include <tests/fom/resistance/tail_motions.h>
 #include <tests/fom/shipped_scene.h>
 
 #include <gtest/gtest.h>
@@ -33,24 +34,8 @@ namespace swimtwin
         return overrides;
       }
 
-      NodalField<3> bending(const double amount) const
-      {
-        NodalField<3> field(swimmer.tail().mesh.n_nodes());
-        for (unsigned int a = 0; a < field.size(); ++a)
-          if (!swimmer.is_clamped(a))
-            field[a][1] = amount * 10. * std::pow(swimmer.tail().mesh.nodes[a][0] - scene.head.size_m[0] / 2, 2);
-        return field;
-      }
-
-      /// Changes the body's volume.
-      NodalField<3> stretching() const
-      {
-        NodalField<3> field(swimmer.tail().mesh.n_nodes());
-        for (unsigned int a = 0; a < field.size(); ++a)
-          if (!swimmer.is_clamped(a))
-            field[a][0] = swimmer.tail().mesh.nodes[a][0] - scene.head.size_m[0] / 2;
-        return field;
-      }
+      NodalField<3> bending(const double amount) const { return bending_of(swimmer, amount); }
+      NodalField<3> stretching() const { return stretching_of(swimmer); }
 
       BodyMotions<3> motions() const { return {{bending(1.)}, {{stretching()}}}; }
 
