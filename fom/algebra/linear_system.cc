@@ -302,14 +302,44 @@ namespace swimtwin
     return norm;
   }
 
+  double LinearSystem::backward_error()
+  {
+    gather_solution();
+    const double *solution, *rhs, *residual;
+    VecGetArrayRead(gathered_, &solution);
+    VecGetArrayRead(rhs_, &rhs);
+    VecGetArrayRead(residual_, &residual);
+    double largest = 0.;
+    for (PetscInt row = first_row_; row < last_row_; ++row)
+    {
+      PetscInt           n_entries;
+      const PetscInt    *columns;
+      const PetscScalar *values;
+      check_petsc(MatGetRow(matrix_, row, &n_entries, &columns, &values), "read a matrix");
+      double terms = std::abs(rhs[row - first_row_]);
+      for (PetscInt k = 0; k < n_entries; ++k)
+        terms += std::abs(values[k] * solution[columns[k]]);
+      check_petsc(MatRestoreRow(matrix_, row, &n_entries, &columns, &values), "read a matrix");
+      if (residual[row - first_row_] != 0.)
+        largest = std::max(largest, std::abs(residual[row - first_row_]) / terms);
+    }
+    VecRestoreArrayRead(residual_, &residual);
+    VecRestoreArrayRead(rhs_, &rhs);
+    VecRestoreArrayRead(gathered_, &solution);
+    MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE, MPI_MAX, communicator_);
+    return largest;
+  }
+
   bool LinearSystem::refine()
   {
     // One solve with the factors is enough, and the residuals, whose rows are scaled in another way, show it. Where
-    // they do not, a correction that is itself below the tolerance is the last one, and so is one that shrinks no more:
-    // it is round-off, and no solver has a better solution.
+    // they do not, a correction that is itself below the tolerance is the last one. One that shrinks no more is
+    // round-off where it is small, or where the residual is that of a matrix rounded to double precision (a stiff tail
+    // in a thin fluid): no solver has a better solution.
     constexpr int       most_corrections = 6;
     constexpr double    scaling          = 1e3; // between shares of residuals and of errors; 300 seen
-    const double        round_off        = std::max(options_.tolerance, 1e-9); // at most
+    const double        round_off        = std::max(options_.tolerance, 1e-9); // at most, without that proof
+    constexpr double    most_round_off = 1e-6, rounded_matrix = 1e-14;
     const ScopedCpuTime time(counts_.solve_cpu_s);
     PC                  pc;
     check_petsc(KSPGetPC(ksp_, &pc), "solved");
@@ -330,7 +360,7 @@ namespace swimtwin
       if (change <= tolerance_ * size || scaling * (after / before) * change <= tolerance_ * size)
         return true;
       if (!(change < .5 * change_before))
-        return change <= round_off * size;
+        return change <= round_off * size || (change <= most_round_off * size && backward_error() <= rounded_matrix);
       before        = after;
       change_before = change;
     }
@@ -377,10 +407,15 @@ namespace swimtwin
     return converged && is_finite(solution);
   }
 
-  void LinearSystem::gather_solution(std::vector<double> &solution)
+  void LinearSystem::gather_solution()
   {
     VecScatterBegin(gather_, solution_, gathered_, INSERT_VALUES, SCATTER_FORWARD);
     VecScatterEnd(gather_, solution_, gathered_, INSERT_VALUES, SCATTER_FORWARD);
+  }
+
+  void LinearSystem::gather_solution(std::vector<double> &solution)
+  {
+    gather_solution();
     const double *all;
     VecGetArrayRead(gathered_, &all);
     solution.assign(all, all + size_);

@@ -66,7 +66,7 @@ namespace swimtwin
     void set_right_hand_side(const std::vector<double> &contributions);
 
     /// For the solves to come: a tolerance below that of the options. A solve that, with fresh factors, reaches only
-    /// that of the options has not failed.
+    /// that of the options, or what double precision allows, has not failed.
     void aim_at(const double tolerance) { tolerance_ = tolerance; }
 
     /// Factorise anew at the next solve, so that what follows does not depend on what was before.
@@ -103,11 +103,15 @@ namespace swimtwin
     bool solve_by_blocks(const std::vector<double> &guess);
     bool set_up_blocks();
     bool iterate_with_blocks(const std::vector<double> &guess);
+    void gather_solution(); ///< into `gathered_`, on every rank
     void gather_solution(std::vector<double> &solution);
     void fill(Vec vector, const std::vector<double> &contributions) const;
     void set_guess(const std::vector<double> &guess);
     /// Of the solution as it is; leaves the residual behind.
     double residual_norm();
+    /// Of the solution with that residual: the largest share of a row's residual in the sizes of its terms (Oettli and
+    /// Prager 1964). With the matrix changed by that share, entry by entry, the solution is exact. Collective.
+    double backward_error();
 
     MPI_Comm                             communicator_;
     LinearSolverOptions                  options_;

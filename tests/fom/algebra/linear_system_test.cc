@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace swimtwin
 {
@@ -156,6 +157,40 @@ namespace swimtwin
         EXPECT_LE(error(solution), 1e-12 * n * n) << skew;
         EXPECT_EQ(system.counts().n_factorizations, skew > 1. ? 2 : 1) << skew;
       }
+    }
+  }
+
+  TEST(LinearSystem, StiffMatrixIsSolvedAsFarAsDoublePrecisionAllows)
+  {
+    // Springs between neighbours are 3e8 times as stiff as what holds them in place, so that residuals of a motion of
+    // all together are 1e-8 of the load by round-off alone: no solver reaches the tolerance, and this one does not
+    // fail.
+    Chain      stiff(0.);
+    const auto spring = [](const PetscInt i) { return i == 0 || i == n ? 0. : 3e8 * (1.5 + std::sin(i)); };
+    for (unsigned int k = 0; k < stiff.values.size(); ++k)
+    {
+      const PetscInt i = stiff.rows[k], j = stiff.columns[k];
+      if (i != j)
+        stiff.values[k] = -spring(std::max(i, j));
+      else if (stiff.values[k] == 2.)
+        stiff.values[k] = spring(i) + spring(i + 1);
+      else
+        stiff.values[k] = 1.3;
+    }
+    std::vector<double> load(n);
+    for (PetscInt i = 0; i < n; ++i)
+      load[i] = 1.3 + std::cos(7. * i);
+    const double all_together = std::accumulate(load.begin(), load.end(), 0.) / (1.3 * n);
+    for (const bool symmetric : {false, true})
+    {
+      LinearSystem system(PETSC_COMM_SELF, {.tolerance = 1e-12, .symmetric = symmetric});
+      system.set_pattern(0, n, stiff.rows, stiff.columns);
+      system.set_matrix(stiff.values);
+      system.set_right_hand_side(load);
+      std::vector<double> solution(n, 0.);
+      EXPECT_TRUE(system.solve(solution)) << symmetric;
+      for (const double value : solution)
+        EXPECT_NEAR(value, all_together, 3e-6) << symmetric;
     }
   }
 
