@@ -152,8 +152,6 @@ namespace swimtwin
     {
       if (scene.dimension != 3)
         return check_plane(document, scene);
-      if (scene.numerics.coupling == CouplingScheme::fixed_point)
-        document.refuse("numerics", "coupling", "cannot be \"fixed-point\" in three dimensions; use \"monolithic\".");
       if (scene.numerics.mirror_meshes)
         document.refuse("numerics", "mirror_meshes", "is for two dimensions; remove it.");
     }

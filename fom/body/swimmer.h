@@ -56,15 +56,6 @@ namespace swimtwin
   template <int dim>
   AngularVelocity<dim> turning_axis(const AngularVelocity<dim> &torque, const Attitude<dim> &attitude);
 
-  /// Whether an implicit step is too long for an unstable equilibrium. With the torque's derivative by the angular
-  /// velocity, a = slope_weight dT/dangle, the head resists by zeta - a: that grows soft where the equilibrium's growth
-  /// rate (dT/dangle) / zeta nears 1 / slope_weight, and beyond it turns the head back. Half of this rate is borne.
-  /// `response`: 1 / (zeta - a), angular velocity per torque.
-  inline bool is_outrun(const double torque_by_rate, const double response)
-  {
-    return !(response > 0. && torque_by_rate * response <= 1.);
-  }
-
   /// The body's description; it does not move. Built once per run. Collective; throws InputError if the scene's mesh
   /// size does not do for the tail.
   template <int dim>

@@ -92,4 +92,5 @@ namespace swimtwin
   }
 
   template class TailEquilibrium<2>;
+  template class TailEquilibrium<3>;
 } // namespace swimtwin

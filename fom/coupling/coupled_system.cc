@@ -240,19 +240,7 @@ namespace swimtwin
   template <int dim>
   bool CoupledSystem<dim>::field_outruns_step()
   {
-    // Along the axis about which the field turns the head, as far as it may.
-    std::vector<std::pair<PetscInt, double>> load;
-    double                                   torque_by_rate = 0.;
-    for (unsigned int i = 0; i < map_.n_head_unknowns(); ++i)
-      if (const int k = map_.head_component(i) - dim; k >= 0)
-      {
-        load.push_back({map_.first_head_unknown() + i, turning_axis_[k]});
-        for (int l = 0; l < n_rotations<dim>; ++l)
-          if (map_.head_unknown(dim + l))
-            torque_by_rate += turning_axis_[k] * torque_by_rate_[k][l] * turning_axis_[l];
-      }
-    return torque_by_rate > 0. &&
-           is_outrun(torque_by_rate / (map_.length_scale() * map_.length_scale()), system_.response_to_load(load));
+    return outruns_step(turning_field_, map_, system_);
   }
 
   template <int dim>
@@ -363,8 +351,7 @@ namespace swimtwin
   void CoupledSystem<dim>::assemble_head(const LinearizationPoint<dim> &point)
   {
     const auto [torque, derivative] = swimmer_.torque_on_head(point.configuration.pose, point.time_s);
-    torque_by_rate_                 = derivative * point.slope_weight;
-    turning_axis_                   = turning_axis<dim>(torque, point.configuration.pose);
+    turning_field_ = {derivative * point.slope_weight, turning_axis<dim>(torque, point.configuration.pose)};
     if (rank_ + 1 != n_ranks_)
       return;
     const double         length = map_.length_scale();
@@ -373,11 +360,11 @@ namespace swimtwin
     for (int c = 0; c < dim; ++c)
       if (const auto unknown = map_.head_unknown(c))
         rhs[*unknown] += force[c];
-    const AngularVelocity<dim> known_torque = torque - torque_by_rate_ * point.rates.omega;
+    const AngularVelocity<dim> known_torque = torque - turning_field_.torque_by_rate * point.rates.omega;
     for (int k = 0; k < n_rotations<dim>; ++k)
       if (const auto unknown = map_.head_unknown(dim + k))
         rhs[*unknown] += known_torque[k] / length;
-    add_to_rotations(-torque_by_rate_, length * length);
+    add_to_rotations(-turning_field_.torque_by_rate, length * length);
   }
 
   template <int dim>

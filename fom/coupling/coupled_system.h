@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fom/body/swimmer.h>
+#include <fom/body/turning_field.h>
 #include <fom/fluid/fluid_domain.h>
 
 namespace swimtwin
@@ -110,9 +111,8 @@ namespace swimtwin
     std::vector<unsigned int>              tail_cells_;          ///< owned, no images
     unsigned int                           first_tail_cell_ = 0; ///< its number in the condensation
     unsigned int                           first_mass_cell_ = 0;
-    std::vector<std::vector<unsigned int>> head_entries_;   ///< of pairs of its unknowns, on the rank that has them
-    dealii::Tensor<2, n_rotations<dim>>    torque_by_rate_; ///< of the field, by the head's angular velocity
-    AngularVelocity<dim>                   turning_axis_;   ///< of the field
+    std::vector<std::vector<unsigned int>> head_entries_; ///< of pairs of its unknowns, on the rank that has them
+    TurningField<dim>                      turning_field_;
     FlowChange                             flow_change_;
   };
 } // namespace swimtwin

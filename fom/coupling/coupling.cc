@@ -70,9 +70,8 @@ namespace swimtwin
   template <int dim>
   std::unique_ptr<Coupling<dim>> make_coupling(const Swimmer<dim> &swimmer, const MPI_Comm communicator)
   {
-    if constexpr (dim == 2) // scenes in three dimensions are refused the other one
-      if (is_partitioned(swimmer.scene()))
-        return std::make_unique<FixedPointCoupling<dim>>(swimmer, communicator);
+    if (is_partitioned(swimmer.scene()))
+      return std::make_unique<FixedPointCoupling<dim>>(swimmer, communicator);
     return std::make_unique<MonolithicCoupling<dim>>(swimmer, communicator);
   }
 

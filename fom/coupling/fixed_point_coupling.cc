@@ -14,12 +14,20 @@ namespace swimtwin
   {
     /// The tail's Newton method is to leave nothing that the coupling could notice.
     constexpr double tail_tolerance_share = 1e-2;
+
+    /// By factors, whatever their size: the blocks of `iterative` are those of the monolithic system.
+    LinearSolverOptions factors(const Numerics &numerics)
+    {
+      LinearSolverOptions options = solver_options(numerics);
+      options.method              = LinearSolver::direct;
+      return options;
+    }
   } // namespace
 
   template <int dim>
   FixedPointCoupling<dim>::FixedPointCoupling(const Swimmer<dim> &swimmer, const MPI_Comm communicator)
       : swimmer_(swimmer), numerics_(swimmer.scene().numerics), communicator_(communicator),
-        flow_solver_(communicator, solver_options(numerics_)), tail_(swimmer, solver_options(numerics_), communicator),
+        flow_solver_(communicator, factors(numerics_)), tail_(swimmer, factors(numerics_), communicator),
         acceleration_(make_acceleration(numerics_))
   {
   }
@@ -42,24 +50,22 @@ namespace swimtwin
     flow_->assemble(configuration, rates.shape_rate, step.time_s);
 
     // The tail's internal forces do no work in a rigid motion; its dead loads do.
-    Tensor<1, n_rigid<dim>> load;
-    const auto              magnetic      = swimmer_.torque_on_head(configuration.pose, step.time_s);
-    const double            derivative    = magnetic.derivative[rotation_about_z<dim>][rotation_about_z<dim>];
-    const Tensor<1, dim>    force_on_head = swimmer_.force_on_head(step.time_s);
-    const auto              x             = swimmer_.tail_positions(configuration);
-    for (int c = 0; c < dim; ++c)
-      load[c] = force_on_head[c];
-    load[dim] =
-        magnetic.torque[rotation_about_z<dim>] - derivative * step.slope_weight * rates.omega[rotation_about_z<dim>];
+    const auto [torque, derivative] = swimmer_.torque_on_head(configuration.pose, step.time_s);
+    const TurningField<dim> field{derivative * step.slope_weight, turning_axis<dim>(torque, configuration.pose)};
+    Tensor<1, dim>          force  = swimmer_.force_on_head(step.time_s);
+    AngularVelocity<dim>    moment = torque - field.torque_by_rate * rates.omega;
+    const auto              x      = swimmer_.tail_positions(configuration);
     for (unsigned int a = 0; a < x.size(); ++a)
     {
-      const Tensor<1, dim> f = swimmer_.load_on_tail_node(a, step.time_s), r = x[a] - configuration.pose.center;
-      for (int c = 0; c < dim; ++c)
-        load[c] += f[c];
-      load[dim] += r[0] * f[1] - r[1] * f[0];
+      const Tensor<1, dim> f = swimmer_.load_on_tail_node(a, step.time_s);
+      force += f;
+      moment += torque_of_force<dim>(x[a] - configuration.pose.center, f);
     }
+    Tensor<1, n_rigid<dim>> load;
+    for (int k = 0; k < n_rigid<dim>; ++k)
+      load[k] = k < dim ? force[k] : moment[k - dim];
     flow_->add_load(load);
-    flow_->add_torque_by_rotation(derivative * step.slope_weight);
+    flow_->add_torque_by_rotation(field);
     if (!flow_->solve(unknowns))
       return false;
     const auto velocity = flow_->rigid_velocity(unknowns);
@@ -174,4 +180,5 @@ namespace swimtwin
   }
 
   template class FixedPointCoupling<2>;
+  template class FixedPointCoupling<3>;
 } // namespace swimtwin

@@ -28,7 +28,11 @@ namespace swimtwin
     map_.close(owner, head_is_free, communicator);
     fluid_.add_cells(condensation_);
     if (owns_head())
-      rotation_entry_ = condensation_.add_entry(*rotation(), *rotation());
+      for (const int k : motions_)
+        for (const int l : motions_)
+          if (k >= dim && l >= dim)
+            rotation_entries_.push_back(
+                {k - dim, l - dim, condensation_.add_entry(*map_.head_unknown(k), *map_.head_unknown(l))});
     condensation_.lay_out(solver_);
   }
 
@@ -65,11 +69,11 @@ namespace swimtwin
   }
 
   template <int dim>
-  void FluidRigidSystem<dim>::add_torque_by_rotation(const double derivative)
+  void FluidRigidSystem<dim>::add_torque_by_rotation(const TurningField<dim> &field)
   {
-    torque_by_rate_ = derivative;
-    if (owns_head())
-      condensation_.add_to_entry(rotation_entry_, -derivative / (map_.length_scale() * map_.length_scale()));
+    turning_field_ = field;
+    for (const auto &[k, l, entry] : rotation_entries_)
+      condensation_.add_to_entry(entry, -field.torque_by_rate[k][l] / (map_.length_scale() * map_.length_scale()));
   }
 
   template <int dim>
@@ -83,9 +87,7 @@ namespace swimtwin
   template <int dim>
   bool FluidRigidSystem<dim>::field_outruns_step()
   {
-    return torque_by_rate_ > 0. && map_.head_is_free() &&
-           is_outrun(torque_by_rate_ / (map_.length_scale() * map_.length_scale()),
-                     solver_.response_to_load({{static_cast<PetscInt>(*rotation()), 1.}}));
+    return outruns_step(turning_field_, map_, solver_);
   }
 
   template <int dim>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fom/body/swimmer.h>
+#include <fom/body/turning_field.h>
 #include <fom/fluid/fluid_domain.h>
 
 #include <optional>
@@ -24,8 +25,8 @@ namespace swimtwin
 
     /// Loads on a free head and on the whole body, before `solve`: force and torque about the head's centre.
     void add_load(const dealii::Tensor<1, n_rigid<dim>> &load);
-    /// Torque that grows with the body's rotation rate about z.
-    void add_torque_by_rotation(double derivative);
+    /// What the field's torque changes by with the body's angular velocity.
+    void add_torque_by_rotation(const TurningField<dim> &field);
 
     /// Solve from a guess. False if the linear solver failed. Collective.
     bool solve(std::vector<double> &unknowns);
@@ -43,7 +44,6 @@ namespace swimtwin
     unsigned int        n_unknowns() const { return map_.n_unknowns(); }
 
   private:
-    std::optional<unsigned int> rotation() const { return map_.head_unknown(dim + rotation_about_z<dim>); }
     bool owns_head() const { return map_.head_is_free() && map_.last_owned() == map_.n_unknowns(); }
 
     const Swimmer<dim> &swimmer_;
@@ -52,7 +52,12 @@ namespace swimtwin
     MotionMap<dim>      map_;
     Condensation<dim>   condensation_;
     std::vector<int>    motions_;
-    unsigned int        rotation_entry_ = 0;
-    double              torque_by_rate_ = 0.;
+    struct RotationEntry
+    {
+      int          row, column; ///< rotations
+      unsigned int entry;
+    };
+    std::vector<RotationEntry> rotation_entries_; ///< of the rank that has the head
+    TurningField<dim>          turning_field_;
   };
 } // namespace swimtwin

@@ -335,7 +335,8 @@ namespace swimtwin
       measure<2>(scene, communicator, plan);
     plan.estimated_time_s =
         scene.time.n_steps() * iterations_per_step * seconds_per_iteration(plan.n_unknowns, scene.dimension);
-    const bool iterative     = scene.fluid && iterates(scene.numerics.linear_solver, scene.dimension, plan.n_unknowns);
+    const bool iterative = scene.fluid && !is_partitioned(scene) &&
+                           iterates(scene.numerics.linear_solver, scene.dimension, plan.n_unknowns);
     plan.estimated_memory_MB = memory_MB(plan.n_unknowns, scene.dimension, iterative);
     plan_solver(scene, iterative, plan);
     plan.is_extrapolated = plan.n_unknowns > n_unknowns_measured(scene.dimension);

@@ -35,6 +35,19 @@ namespace swimtwin
     EXPECT_EQ(one.summary.n_tail_linear_solves, 0);
   }
 
+  // The whole of it, turned out of the plane.
+  TEST(FixedPointInSpace, MovesTheSwimmerAsTheMonolithicCouplingDoes)
+  {
+    const auto   scene = coarse_swimmer_in_space(0.05).with({"field.bz_T=3e-3", "numerics.coupling_tolerance=1e-9"});
+    const Motion one   = simulate(scene),
+                 two   = simulate(scene.with({"numerics.coupling=fixed-point", "numerics.acceleration=iqn-ils"}));
+    ASSERT_EQ(one.summary.n_remeshes + two.summary.n_remeshes + two.summary.n_step_halvings, 0);
+    EXPECT_LE(distance(one.trajectory, two.trajectory), 1e-7);
+    EXPECT_LE(largest_angle_difference(one.trajectory, two.trajectory), 1e-7);
+    EXPECT_LE(std::abs(one.trajectory.back().head_z_m - two.trajectory.back().head_z_m), 1e-7 * body_length_m);
+    EXPECT_GT(std::abs(one.trajectory.back().head_z_m), 1e-6 * body_length_m);
+  }
+
   TEST_P(FixedPoint, ResumesWhereItWasInterrupted)
   {
     const auto            scene = partitioned(coarse_swimmer(50, 0.4));

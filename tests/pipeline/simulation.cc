@@ -32,6 +32,14 @@ namespace swimtwin
              "time.steps_per_period=" + std::to_string(steps_per_period), "time.periods=" + std::to_string(periods)}};
   }
 
+  ShrunkScene coarse_swimmer_in_space(const double periods)
+  {
+    return {"reference-3d-paper",
+            {"fluid.inertia=none", "domain.size_m=[20e-3,10e-3,10e-3]", "numerics.mesh_size_m=1.2e-3",
+             "numerics.mesh_size_corner_m=5e-4", "numerics.mesh_size_far_m=8e-3", "numerics.mesh_growth=1",
+             "time.periods=" + std::to_string(periods)}};
+  }
+
   std::vector<std::string> simulate_arguments(const ShrunkScene &scene, const std::filesystem::path &folder,
                                               const std::vector<std::string> &options)
   {
