@@ -85,6 +85,14 @@ namespace swimtwin
       return (density_kg_m3 - (scene.fluid ? scene.fluid->density_kg_m3 : 0.)) * scene.gravity.acceleration_m_s2[0];
     }
 
+    /// In space: what pushes or turns the body out of the plane of x and y; empty where nothing does.
+    std::string what_leaves_plane(const Scene &scene)
+    {
+      if (is_magnetised(scene) && scene.field.leaves_plane())
+        return "the field has a component along z";
+      return scene.gravity.leaves_plane() ? "gravity has a component along z" : "";
+    }
+
     bool has_driven_flow(const Scene &scene)
     {
       return scene.domain && std::any_of(scene.domain->walls.begin(), scene.domain->walls.end(),
@@ -125,7 +133,7 @@ namespace swimtwin
     if (scene.domain && scene.domain->surface)
       return {"the walls are read from a surface", {}};
     if (scene.dimension == 3) // z = 0: bodies of revolution in planar fields
-      return {is_magnetised(scene) && scene.field.leaves_plane() ? "the field has a component along z" : "", {}};
+      return {what_leaves_plane(scene), {}};
     MirrorPlane plane{why_missing(scene), {}};
     if (plane.exists())
       plane.doubt = why_doubtful(scene);
@@ -144,7 +152,7 @@ namespace swimtwin
   bool moves_in_plane(const Scene &scene)
   {
     return scene.dimension == 3 && (solves_half(scene) || (scene.has_surfaces() && way_out_of_plane(scene).empty() &&
-                                                           !(is_magnetised(scene) && scene.field.leaves_plane())));
+                                                           what_leaves_plane(scene).empty()));
   }
 
   std::string symmetry_warning(const Scene &scene)

@@ -164,8 +164,10 @@ namespace swimtwin
 
   struct Gravity
   {
-    std::array<double, 2> acceleration_m_s2 = {0., 0.};
+    std::array<double, 3> acceleration_m_s2 = {0., 0., 0.}; ///< z: in three dimensions
     double                ramp_s            = 0.;
+
+    bool leaves_plane() const { return acceleration_m_s2[2] != 0.; }
   };
 
   /// `n_steps()` equal steps. A period is that of the field; without one it is the whole duration.

@@ -311,11 +311,20 @@ namespace swimtwin
       return field;
     }
 
-    Gravity read_gravity(const TomlDocument &document)
+    Gravity read_gravity(const TomlDocument &document, const int dimension)
     {
-      TomlTable table(document, "gravity");
-      Gravity   gravity;
-      table.pair("acceleration_m_s2", required("m/s^2", any_number), gravity.acceleration_m_s2);
+      TomlTable  table(document, "gravity");
+      Gravity    gravity;
+      auto      &g    = gravity.acceleration_m_s2;
+      const auto rule = required("m/s^2", any_number);
+      if (dimension == 3 && table.array_size("acceleration_m_s2") != 2) // two: no component along z
+        table.triple("acceleration_m_s2", rule, g);
+      else
+      {
+        std::array<double, 2> in_plane{};
+        table.pair("acceleration_m_s2", rule, in_plane);
+        g = {in_plane[0], in_plane[1], 0.};
+      }
       table.number("ramp_s", optional("s", not_negative), gravity.ramp_s);
       table.finish();
       return gravity;
@@ -456,7 +465,7 @@ namespace swimtwin
     if (scene.domain)
       scene.domain->walls = read_walls(document, *scene.domain, scene.dimension);
     scene.field    = read_field(document, std::filesystem::path(name).parent_path());
-    scene.gravity  = read_gravity(document);
+    scene.gravity  = read_gravity(document, scene.dimension);
     scene.time     = read_time(document, driven_period_s(scene));
     scene.numerics = read_numerics(document, scene);
     scene.output   = read_output(document);

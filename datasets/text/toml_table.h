@@ -83,6 +83,11 @@ namespace swimtwin
                std::vector<std::string> &target);
     /// Whether the entry is there and is an array.
     bool is_array(const std::string &key) const { return has(key) && table_->get(key)->is_array(); }
+    /// Of that array; zero for anything else.
+    std::size_t array_size(const std::string &key) const
+    {
+      return is_array(key) ? table_->get(key)->as_array()->size() : 0;
+    }
 
     /// A problem of our own with an entry: a sentence that follows `key = value`.
     void note(const std::string &key, const std::string &problem);

@@ -268,7 +268,7 @@ namespace swimtwin
     const double   ramp    = time_s < gravity.ramp_s ? time_s / gravity.ramp_s : 1.;
     const double   density = body_density_kg_m3 - (scene_.fluid ? scene_.fluid->density_kg_m3 : 0.);
     Tensor<1, dim> g;
-    for (int c = 0; c < 2; ++c)
+    for (int c = 0; c < dim; ++c)
       g[c] = ramp * density * gravity.acceleration_m_s2[c];
     return g;
   }

@@ -63,7 +63,8 @@ namespace swimtwin
     double time_of_passage(const Scene &scene)
     {
       const double length = scene.body_length_m(), speed = largest_imposed_speed_m_s(scene);
-      const double gravity = std::hypot(scene.gravity.acceleration_m_s2[0], scene.gravity.acceleration_m_s2[1]);
+      const auto  &g       = scene.gravity.acceleration_m_s2;
+      const double gravity = std::hypot(g[0], g[1], g[2]);
       return speed > 0. ? length / speed : gravity > 0. ? std::sqrt(length / gravity) : 1.;
     }
   } // namespace

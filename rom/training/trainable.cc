@@ -53,7 +53,7 @@ namespace swimtwin
             "run it with simulate, or give it an elastic law");
     require(scene, scene.numerics.tail_order == 2, "[numerics] tail_order = 1, and a linear tail locks in bending",
             "use 2");
-    require(scene, scene.gravity.acceleration_m_s2 == std::array<double, 2>{0., 0.},
+    require(scene, scene.gravity.acceleration_m_s2 == (std::array{0., 0., 0.}),
             "gravity acts, which the reduced swimmer does not know", "take [gravity] out");
     require(scene, walls_are_still(*scene.domain),
             "a wall moves or fluid flows in, which the reduced swimmer does not know",

@@ -157,6 +157,32 @@ namespace swimtwin
     EXPECT_LE(distance(film, exact), 0.01);
   }
 
+  // Its own weight bends a rod of circular section alike in every direction across it, on the half of a mesh or the
+  // whole.
+  TEST(Cantilever, WeightBendsARodAlikeInEveryDirection)
+  {
+    const auto end = [](const std::string &acceleration_m_s2) {
+      const Scene       scene = shipped_scene("magnetised-cantilever-3d",
+                                              {"variant=quick", "time.steps=4", "numerics.mesh_size_m=3e-4",
+                                               "numerics.mesh_size_far_m=3e-4", "tail.magnetization_A_m=0",
+                                               "gravity={acceleration_m_s2=" + acceleration_m_s2 + ", ramp_s=1}"});
+      FullOrderModel<3> model(scene, MPI_COMM_WORLD);
+      for (int step = 0; step < scene.time.n_steps(); ++step)
+        model.advance();
+      const unsigned int tip = model.swimmer().tail().axis_at_tip[2];
+      return model.now().configuration.shape[tip] / scene.tail->length_m;
+    };
+    const auto along_y = end("[0, -25]"), along_z = end("[0, 0, -25]"), between = end("[0, -15, -20]");
+    EXPECT_GT(-along_y[1], 0.1);
+    EXPECT_EQ(along_y[2], 0.);
+    EXPECT_NEAR(along_z[2], along_y[1], 2e-3);
+    EXPECT_NEAR(along_z[1], 0., 2e-3);
+    EXPECT_NEAR(between[1], 0.6 * along_y[1], 2e-3);
+    EXPECT_NEAR(between[2], 0.8 * along_y[1], 2e-3);
+    for (const auto &other : {along_z, between})
+      EXPECT_NEAR(other[0], along_y[0], 2e-3);
+  }
+
   // A rod of circular section, h/L = 0.05: as far off the elastica as a beam in the plane of that thickness.
   TEST(Cantilever, RodInSpaceFollowsTheElastica)
   {

@@ -102,6 +102,8 @@ namespace swimtwin
     expect_half(with({}));
     expect_half(with({"field.bz_T=1e-3", "head.magnetization_A_m=0.0"})); // nothing feels it
     expect_no_plane(with({"field.bz_T=1e-3"}), "the field has a component along z");
+    expect_no_plane(with({"gravity.acceleration_m_s2=[0, 0, -9.81]"}), "gravity has a component along z");
+    EXPECT_TRUE(find_mirror_plane(with({"gravity.acceleration_m_s2=[0, -9.81]"})).exists());
   }
 
   TEST(MirrorPlane, AnAlignedFieldHoldsTheSwimmer)

@@ -49,7 +49,9 @@ namespace swimtwin
                    "size_m = [0.04, 0.02] has the wrong type; an array of three numbers [x, y, z] in m");
     expect_accepted(swimmer_toml, in_space);
     expect_refused(in_space + Overrides{"domain.size_m=[40e-3, 20e-3]"}, "an array of three numbers [x, y, z]");
-    expect_refused(in_space + Overrides{"numerics.coupling=fixed-point"}, "in three dimensions; use \"monolithic\"");
+    expect_refused(in_space + Overrides{"gravity={acceleration_m_s2=[0]}"}, "an array of three numbers [x, y, z]");
+    expect_refused({"gravity={acceleration_m_s2=[0, 0, -9.81]}"}, "an array of two numbers [x, y]");
+    expect_accepted(swimmer_toml, in_space + Overrides{"numerics.coupling=fixed-point"});
     expect_accepted(swimmer_toml, {"dimension=3", "head.shape=cylinder",
                                    "domain={shape=\"cylinder\", radius_m=0.01, length_m=0.04}"});
     expect_refused({"dimension=3", "head.shape=cylinder", "domain={shape=\"cylinder\", radius_m=0.01}"},
