@@ -45,8 +45,10 @@ namespace swimtwin
     const std::vector<Program>    &programs() const { return programs_; }
     const std::deque<FieldSample> &samples() const { return samples_; }
 
+    /// What began last at an instant; null before everything.
+    const Program *program_at(double time_s) const;
+
   private:
-    const Program     *program_at(double time_s) const;
     const FieldSample *sample_at(double time_s) const; ///< the last one before it
     const FieldSample *holding_sample(double time_s) const;
 

@@ -65,6 +65,7 @@ namespace swimtwin
   {
     StreamCounts                   counts;
     double                         next_forecast_s = 0., next_open_s = 0.;
+    std::optional<double>          next_proposal_s; ///< of a more telling field
     std::vector<RememberedProgram> programs;
     Eigen::MatrixXd                samples; ///< rows: time, bx, by, sigma
     double window_start_s = 0., started_s = 0., quiet_until_s = 0., last_used_s = 0., gated_from_s = 0.,
@@ -82,6 +83,7 @@ namespace swimtwin
     visit("counts", v.counts);
     visit("next_forecast_s", v.next_forecast_s);
     visit("next_open_s", v.next_open_s);
+    visit("next_proposal_s", v.next_proposal_s);
     visit("programs", v.programs);
     visit("field_samples", v.samples);
     visit("window_start_s", v.window_start_s);

@@ -25,6 +25,8 @@ namespace swimtwin
       twin_.field().play(config.drive_start_s, *config.drive);
     if (config.steering)
       pilot_.emplace(twin_, model, *config.steering);
+    if (config.telling)
+      telling_.emplace(model, config.options, *config.telling);
   }
 
   void TwinSession::greet()
@@ -83,7 +85,9 @@ namespace swimtwin
     clock_s_            = -1e300;
     if (pilot_)
       pilot_->forget_time();
-    next_forecast_s_ = next_open_s_ = -1e300;
+    next_forecast_s_ = next_open_s_ = next_proposal_s_ = -1e300;
+    if (telling_)
+      telling_->give_up();
   }
 
   /// A clock that leaps is an error of one frame, until so many agree that it is the clock.
@@ -197,6 +201,29 @@ namespace swimtwin
         listeners_.say(open_line(now_s, twin_.unlearned()));
       next_open_s_ = now_s + open_every_periods * config_.period_s;
     }
+    if (telling_ && !twin_.is_searching_delay())
+      propose_field();
+  }
+
+  /// One trial with each frame, so that none is late for it.
+  void TwinSession::propose_field()
+  {
+    const double now_s = twin_.now_s();
+    if (next_proposal_s_ < -1e299) // not before there is something to tell
+      next_proposal_s_ = now_s + std::min(telling_->options().every_periods, 5.) * config_.period_s;
+    if (telling_->is_searching())
+    {
+      if (const auto proposal = telling_->go_on())
+        listeners_.say(proposal_line(twin_, *proposal));
+      return;
+    }
+    if (now_s < next_proposal_s_)
+      return;
+    next_proposal_s_ = now_s + telling_->options().every_periods * config_.period_s;
+    if (pilot_)
+      telling_->begin(twin_, config_.steering->goal.carrier, now_s);
+    else if (const FieldSignal::Program *program = twin_.field().program_at(now_s))
+      telling_->begin(twin_, program->drive, program->start_s);
   }
 
   void TwinSession::forecast()
@@ -318,6 +345,8 @@ namespace swimtwin
     session.counts          = counts_;
     session.next_forecast_s = next_forecast_s_;
     session.next_open_s     = next_open_s_;
+    if (telling_) // a search that is under way begins anew
+      session.next_proposal_s = telling_->is_searching() ? twin_.now_s() : next_proposal_s_;
     if (pilot_)
       session.pilot = pilot_->memory();
     remember(twin_.field(), session);
@@ -339,6 +368,7 @@ namespace swimtwin
     counts_          = session.counts;
     next_forecast_s_ = session.next_forecast_s;
     next_open_s_     = session.next_open_s;
+    next_proposal_s_ = session.next_proposal_s.value_or(-1e300);
     if (pilot_ && session.pilot)
       pilot_->restore(*session.pilot);
   }

@@ -63,19 +63,21 @@ namespace swimtwin
     void tell_now_and_then();
     void forecast();
     void smooth();
+    void propose_field();
     void refuse(const std::string &sentence);
 
-    const ReducedModel  &model_;
-    TwinConfig           config_;
-    Listeners            listeners_;
-    SwimmerTwin          twin_;
-    Watchdog             watchdog_;
-    std::optional<Pilot> pilot_;
-    StreamCounts         counts_;
-    bool                 has_ended_       = false;
-    double               next_forecast_s_ = -1e300, next_open_s_ = -1e300;
-    int                  n_refused_in_a_row_ = 0;
-    bool                 has_clock_ = false, is_repeating_ = false;
+    const ReducedModel          &model_;
+    TwinConfig                   config_;
+    Listeners                    listeners_;
+    SwimmerTwin                  twin_;
+    Watchdog                     watchdog_;
+    std::optional<Pilot>         pilot_;
+    std::optional<TellingSearch> telling_;
+    StreamCounts                 counts_;
+    bool                         has_ended_       = false;
+    double                       next_forecast_s_ = -1e300, next_open_s_ = -1e300, next_proposal_s_ = -1e300;
+    int                          n_refused_in_a_row_ = 0;
+    bool                         has_clock_ = false, is_repeating_ = false;
     /// The latest time that is known to have come, and when the last line was done.
     double clock_s_ = -1e300, clock_at_last_line_s_ = -1e300;
   };

@@ -185,6 +185,37 @@ namespace swimtwin
     return line_of(json);
   }
 
+  std::string proposal_line(const SwimmerTwin &twin, const TellingField &p)
+  {
+    // Standard deviations of logarithms are shares already; others are in the parameter's unit.
+    const auto described = [](const Drive &drive, const TrialResult &result) {
+      Json json = {{"frequency_Hz", drive.frequency_Hz}, {"largest_T", largest_T(drive)}};
+      if (drive.field->parameter_names() == std::vector<std::string>{"bx_T", "by_T"})
+      {
+        json["bx_T"] = drive.parameters[0];
+        json["by_T"] = drive.parameters[1];
+      }
+      json["sd"]        = result.standard_deviation;
+      json["speed_m_s"] = result.speed_m_s;
+      return json;
+    };
+    Json json         = record("proposal");
+    json["time_s"]    = p.time_s;
+    json["parameter"] = twin_parameter_names[static_cast<std::size_t>(p.parameter)];
+    json["sd"]        = twin.belief().standard_deviation(twin.layout().place(p.parameter));
+    json["ahead_s"]   = p.duration_s;
+    json["as_is"]     = described(p.as_is, p.of_as_is);
+    if (p.is_better)
+    {
+      json["proposed"]             = described(p.proposed, p.of_proposed);
+      json["proposed"]["bx_times"] = p.change.bx_times;
+      json["proposed"]["by_times"] = p.change.by_times;
+    }
+    else
+      json["proposed"] = nullptr;
+    return line_of(json);
+  }
+
   std::string play_line(const PlayRecord &r)
   {
     Json json       = record("play");

@@ -4,6 +4,7 @@
 #include <twin/estimate/swimmer_twin.h>
 #include <twin/steering/pilot.h>
 #include <twin/stream/message.h>
+#include <twin/telling/telling_search.h>
 #include <twin/watch/watchdog.h>
 
 #include <string>
@@ -43,6 +44,7 @@ namespace swimtwin
   std::string                  smoothed_line(const SwimmerTwin &twin, double time_s, const Belief &belief);
   std::string                  open_line(double time_s, const std::vector<UnlearnedDirection> &directions);
   std::string                  alarm_line(const Alarm &alarm, double time_s);
+  std::string                  proposal_line(const SwimmerTwin &twin, const TellingField &proposal);
   inline constexpr const char *play_line_start = R"({"type":"play",)", *alarm_line_start = R"({"type":"alarm",)",
                               *path_line_start = R"({"type":"path",)";
   std::string play_line(const PlayRecord &record);

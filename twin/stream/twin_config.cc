@@ -6,6 +6,7 @@
 #include <datasets/text/toml_table.h>
 #include <twin/motion/carried_densities.h>
 #include <twin/stream/twin_config.h>
+#include <twin/telling/carrier_change.h>
 
 #include <fmt/format.h>
 
@@ -163,6 +164,43 @@ namespace swimtwin
       table.finish();
     }
 
+    /// [telling]: the present carrier's size and frequencies about its own, or the coils' limits of a goal.
+    void read_telling(const TomlDocument &document, TwinConfig &config)
+    {
+      if (document.find("telling") == nullptr)
+        return;
+      const Drive *drive = config.steering ? &config.steering->goal.carrier : config.drive ? &*config.drive : nullptr;
+      if (drive == nullptr)
+        document.refuse("telling", "parameter", "needs a field that plays, to be changed; add [field], or a [goal].");
+      TellingOptions telling;
+      telling.largest_T   = largest_T(*drive);
+      telling.lowest_Hz   = 0.5 * drive->frequency_Hz;
+      telling.highest_Hz  = 2. * drive->frequency_Hz;
+      telling.keeps_speed = config.steering.has_value();
+      if (config.steering && config.steering->goal.limits.magnitude_T < FieldLimits::none)
+        telling.largest_T = config.steering->goal.limits.magnitude_T;
+      std::vector<std::string> names;
+      for (int i = 0; i < n_twin_parameters; ++i)
+        if (config.options.parameters.list[static_cast<std::size_t>(i)].is_estimated())
+          names.emplace_back(twin_parameter_names[static_cast<std::size_t>(i)]);
+      std::string name;
+      TomlTable   table(document, "telling");
+      table.word("parameter", Need::required, names, name);
+      table.number("ahead_periods", {"", {0.5, 20., false, false, "be 0.5 to 20 periods"}}, telling.ahead_periods);
+      table.number("every_periods", {"", at_least_one}, telling.every_periods);
+      table.number("largest_T", {"T", positive}, telling.largest_T);
+      table.number("lowest_Hz", {"Hz", positive}, telling.lowest_Hz);
+      table.number("highest_Hz", {"Hz", positive}, telling.highest_Hz);
+      table.flag("keeps_speed", telling.keeps_speed);
+      if (telling.lowest_Hz > telling.highest_Hz)
+        table.note("lowest_Hz", fmt::format("is above highest_Hz = {:.4g}; exchange them.", telling.highest_Hz));
+      table.finish();
+      for (int i = 0; i < n_twin_parameters; ++i)
+        if (name == twin_parameter_names[static_cast<std::size_t>(i)])
+          telling.parameter = static_cast<TwinParameter>(i);
+      config.telling = telling;
+    }
+
     /// Values and standard errors of a calibration's two ratios.
     void take_prior(const std::filesystem::path &file, TwinOptions &options)
     {
@@ -200,8 +238,8 @@ namespace swimtwin
     top.text("prior", prior);
     const std::string inertia = read_inertia(top, model);
     config.states_inertia     = top.has("inertia");
-    for (const char *table :
-         {"swimmer", "parameters", "field", "camera", "start", "model_error", "filter", "watch", "output", "goal"})
+    for (const char *table : {"swimmer", "parameters", "field", "camera", "start", "model_error", "filter", "watch",
+                              "output", "goal", "telling"})
       top.table(table);
     top.finish();
     read_field(document, file.parent_path(), scene, config);
@@ -233,6 +271,7 @@ namespace swimtwin
     read_watch(document, config);
     config.options.search_pose_after_s = config.watch.sight_lost_s;
     read_output(document, config);
+    read_telling(document, config);
     if (config.steering && config.options.filter.window_s < config.period_s)
       document.refuse(
           "filter", "window_s",

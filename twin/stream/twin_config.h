@@ -5,6 +5,7 @@
 #include <rom/swimmer/driving_field.h>
 #include <twin/estimate/twin_options.h>
 #include <twin/steering/steering_config.h>
+#include <twin/telling/telling_options.h>
 #include <twin/watch/watch_options.h>
 
 #include <filesystem>
@@ -44,6 +45,7 @@ namespace swimtwin
     int                           save_every    = 300; ///< lines
     std::filesystem::path         prior, field_file;   ///< a calibration.json, a field program; empty: none
     std::optional<SteeringConfig> steering;            ///< what to do with the swimmer; none: to watch it
+    std::optional<TellingOptions> telling;             ///< of which parameter another field would tell more
 
     /// Read beside the configuration itself.
     std::vector<std::filesystem::path> files() const;
