@@ -14,12 +14,13 @@ ENVIRONMENT = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1",
                    OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
 
 
-def run(scene, settings):
-    """One run: summary.json, the rows of trajectory.csv, CPU seconds (user and system, start to exit)."""
+def run(scene, settings, n_ranks=1):
+    """One run: summary.json, the rows of trajectory.csv, CPU seconds (user and system, start to exit, all ranks)."""
     if not TOOL.exists():
         sys.exit(f"{TOOL} is not there: run scripts/build release first, or name the tool in SWIMTWIN_TOOL")
     with tempfile.TemporaryDirectory() as folder:
-        command = [str(TOOL), "simulate", str(scene), "--quiet", "--force", "--output", folder]
+        ranks = ["mpirun", "--oversubscribe", "-n", str(n_ranks)] if n_ranks > 1 else []
+        command = [*ranks, str(TOOL), "simulate", str(scene), "--quiet", "--force", "--output", folder]
         for key, value in {"fluid.inertia": "none", **settings}.items():  # quasi-static unless asked for more
             command += ["--set", f"{key}={value}"]
         before = resource.getrusage(resource.RUSAGE_CHILDREN)
