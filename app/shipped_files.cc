@@ -79,4 +79,9 @@ namespace swimtwin
   {
     return file_or_shipped(model, "models", ".h5");
   }
+
+  bool is_model(const std::string &name)
+  {
+    return name.ends_with(".h5") || fs::exists(shipped_file("models/" + name + ".h5"));
+  }
 } // namespace swimtwin

@@ -12,4 +12,6 @@ namespace swimtwin
   std::filesystem::path find_scene(const std::string &scene);
   /// A reduced model by its file, or by the name of a shipped one.
   std::filesystem::path find_model(const std::string &model);
+  /// Whether a name is that of a model: a file that ends so, or a shipped one.
+  bool is_model(const std::string &name);
 } // namespace swimtwin

@@ -2,6 +2,7 @@
 #include <app/full_order/field_replay.h>
 #include <app/full_order/flow_output.h>
 #include <app/full_order/full_order_build.h>
+#include <app/full_order/full_order_laboratory.h>
 #include <app/full_order/full_order_plant.h>
 #include <app/full_order/full_order_run.h>
 #include <datasets/system/error.h>
@@ -29,6 +30,13 @@ namespace swimtwin
   std::unique_ptr<Plant> make_full_order_plant(const Scene &, const FullOrderPlantOptions &)
   {
     require_full_order_model("[loop] plant = \"full-order\"", RanksAtWork::this_one);
+    return {};
+  }
+
+  std::unique_ptr<LaboratorySwimmer> make_full_order_laboratory_swimmer(const Scene &, const FieldSignal &,
+                                                                        const TwinParameters &)
+  {
+    require_full_order_model("a full-order laboratory", RanksAtWork::this_one);
     return {};
   }
 

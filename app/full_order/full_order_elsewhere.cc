@@ -2,6 +2,7 @@
 #include <app/full_order/field_replay.h>
 #include <app/full_order/flow_output.h>
 #include <app/full_order/full_order_build.h>
+#include <app/full_order/full_order_laboratory.h>
 #include <app/full_order/full_order_plant.h>
 #include <app/full_order/full_order_program.h>
 #include <app/full_order/full_order_run.h>
@@ -50,6 +51,12 @@ namespace swimtwin
   }
 
   double full_order_displacement_m(const Scene &, const std::filesystem::path &)
+  {
+    continue_in_full_order_program(RanksAtWork::this_one);
+  }
+
+  std::unique_ptr<LaboratorySwimmer> make_full_order_laboratory_swimmer(const Scene &, const FieldSignal &,
+                                                                        const TwinParameters &)
   {
     continue_in_full_order_program(RanksAtWork::this_one);
   }

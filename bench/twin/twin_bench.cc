@@ -77,8 +77,9 @@ namespace swimtwin
 
     Outcome run(const Model &m, const Case &c)
     {
-      Laboratory  lab(m.swimmer, m.axis, c.lab);
-      SwimmerTwin twin(m.model, c.twin);
+      ReducedLaboratory imagined(m.swimmer, m.axis, c.lab);
+      Laboratory       &lab = imagined.lab;
+      SwimmerTwin       twin(m.model, c.twin);
       lab.command().play_sinusoid(0., bx_T, by_T, frequency_Hz);
       twin.field().play_sinusoid(0., bx_T, by_T, frequency_Hz);
       Outcome   o;
@@ -99,7 +100,7 @@ namespace swimtwin
                                                           twin.alarm()->finding.ratio));
         if (i * 4 > n_frames && twin.layout().is_estimated(TwinParameter::stiffness))
         {
-          const Eigen::VectorXd wrong = twin.belief().mean - lab.truth_in(twin.layout());
+          const Eigen::VectorXd wrong = twin.belief().mean - imagined.swimmer.truth_in(twin.layout());
           o.worst_viscosity_error =
               std::max(o.worst_viscosity_error, std::abs(wrong[twin.layout().place(TwinParameter::magnetization)]));
         }
@@ -112,7 +113,7 @@ namespace swimtwin
             }
       }
       // The twin's instant is the stamp less what it takes for the delay.
-      Eigen::VectorXd truth  = lab.truth_in(twin.layout());
+      Eigen::VectorXd truth  = imagined.swimmer.truth_in(twin.layout());
       Belief          belief = twin.belief();
       if (lab.now_s() > twin.now_s() + 0.5 / c.lab.camera.frames_per_second) // the last frame was missing
         twin.filter().predict(twin.now_s(), lab.now_s(), belief);

@@ -1,4 +1,6 @@
+#include <datasets/scene/inertia_terms.h>
 #include <datasets/scene/scene.h>
+#include <datasets/system/error.h>
 #include <datasets/text/text_decoding.h>
 #include <datasets/text/toml_table.h>
 #include <twin/motion/carried_densities.h>
@@ -6,8 +8,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
-#include <queue>
 
 namespace swimtwin
 {
@@ -132,162 +134,102 @@ namespace swimtwin
       ramp.finish();
     }
 
-    std::string frame_line(const CapturedFrame &frame, const bool tells_sigmas)
+    void require_swimmer(const std::filesystem::path &file, const Scene &scene)
     {
-      std::string line = fmt::format(R"({{"type":"frame","time_s":{})", frame.stamp_s), points;
-      for (const Sighting &s : frame.observations)
-        switch (s.kind)
-        {
-        case head_position:
-          line += fmt::format(R"(,"x_m":{},"y_m":{})", s.value.x(), s.value.y());
-          if (tells_sigmas && s.sigma > 0.)
-            line += fmt::format(R"(,"position_sigma_m":{})", s.sigma);
-          break;
-        case head_angle:
-          line += fmt::format(R"(,"angle_rad":{})", s.value.x());
-          if (tells_sigmas && s.sigma > 0.)
-            line += fmt::format(R"(,"angle_sigma_rad":{})", s.sigma);
-          break;
-        default:
-          points += fmt::format(R"({}{{"share":{},"x_m":{},"y_m":{}}})", points.empty() ? "" : ",", s.place,
-                                s.value.x(), s.value.y());
-        }
-      return line + (points.empty() ? "}" : ",\"points\":[" + points + "]}");
+      if (!scene.fluid || !scene.tail || !scene.tail->is_elastic() || !scene.head.is_free())
+        throw InputError(fmt::format("{} films a swimmer, but the scene {} has no free head with an elastic tail in a "
+                                     "fluid; take another scene.",
+                                     file.string(), scene.name));
     }
 
-    struct Arrival
+    /// What the full-order swimmer cannot do is refused.
+    void require_still_swimmer(const TomlDocument &document, const LaboratoryOptions &options)
     {
-      double      time_s = 0.;
-      long        number = 0; ///< in the order of sending
-      std::string line;
-      bool        operator>(const Arrival &other) const
-      {
-        return std::make_pair(time_s, number) > std::make_pair(other.time_s, other.number);
-      }
-    };
+      for (const char *table : {"change", "temperature"})
+        if (document.find(table) != nullptr)
+          document.refuse("", table, "is for a reduced swimmer; leave it out, or take a model's own.");
+      for (const TwinParameter p : {TwinParameter::flow_x, TwinParameter::flow_y})
+        if (options.truth[p].value != 0.)
+          document.refuse("swimmer", p == TwinParameter::flow_x ? "flow_x_m_s" : "flow_y_m_s",
+                          "is for a reduced swimmer; leave it out, or take a model's own.");
+    }
+
+    /// `model`: null where the swimmer is a scene's.
+    LabConfig read_lab(const std::filesystem::path &file, const Scene &scene, const ReducedModel *model)
+    {
+      require_swimmer(file, scene);
+      LabConfig          config;
+      const TomlDocument document(read_decoded_text(file, "the laboratory"), file.string(), {});
+      TomlTable          top(document, "");
+      int                seed             = 1;
+      std::string        plant            = model ? "reduced" : "full-order";
+      double             steps_per_second = 1. / scene.time.time_step_s();
+      top.integer("seed", {"", not_negative}, seed);
+      top.number("duration_s", {"s", positive}, config.duration_s);
+      top.word("plant", Need::optional, model ? std::vector<std::string>{"reduced", "full-order"} : std::vector{plant},
+               plant);
+      config.swimmer = plant == "reduced" ? LabSwimmer::reduced : LabSwimmer::full_order;
+      if (config.swimmer == LabSwimmer::reduced)
+        config.inertia = read_inertia(top, *model);
+      else
+        top.word("inertia", Need::optional, {"none", "auto", "full"}, config.inertia);
+      if (config.swimmer == LabSwimmer::full_order)
+        top.number("steps_per_second", {"1/s", positive}, steps_per_second);
+      top.number("real_time", {"", not_negative}, config.real_time);
+      for (const char *table : {"swimmer", "camera", "coils", "change", "temperature"})
+        top.table(table);
+      top.finish();
+      LaboratoryOptions &options = config.options;
+      options.nominal            = swimmer_parameters(scene);
+      options.seed               = static_cast<unsigned int>(seed);
+      read_lab_swimmer(document, options.nominal, options.truth);
+      read_lab_camera(document, model ? ReducedSwimmer(*model).length_m() : scene.body_length_m(), config);
+      read_coils(document, scene, config);
+      read_events(document, options);
+      options.largest_step_s = 0.025 / config.frequency_Hz;
+      if (config.swimmer == LabSwimmer::reduced)
+        options.densities = carried_densities(config.inertia, *model, scene, options.nominal, config.frequency_Hz);
+      else
+        require_still_swimmer(document, options);
+      config.steps_per_frame =
+          std::max(1, static_cast<int>(std::ceil(steps_per_second / options.camera.frames_per_second - 1e-9)));
+      return config;
+    }
   } // namespace
 
   LabConfig read_lab_config(const std::filesystem::path &file, const ReducedModel &model)
   {
-    const Scene        scene = parse_scene(model.scene_text, model.scene_name + ".toml");
-    LabConfig          config;
-    const TomlDocument document(read_decoded_text(file, "the laboratory"), file.string(), {});
-    TomlTable          top(document, "");
-    int                seed = 1;
-    top.integer("seed", {"", not_negative}, seed);
-    top.number("duration_s", {"s", positive}, config.duration_s);
-    const std::string inertia = read_inertia(top, model);
-    top.number("real_time", {"", not_negative}, config.real_time);
-    for (const char *table : {"swimmer", "camera", "coils", "change", "temperature"})
-      top.table(table);
-    top.finish();
-    const double length_m  = ReducedSwimmer(model).length_m();
-    config.options.nominal = swimmer_parameters(scene);
-    config.options.seed    = static_cast<unsigned int>(seed);
-    read_lab_swimmer(document, config.options.nominal, config.options.truth);
-    read_lab_camera(document, length_m, config);
-    read_coils(document, scene, config);
-    read_events(document, config.options);
-    config.options.largest_step_s = 0.025 / config.frequency_Hz;
-    config.options.densities = carried_densities(inertia, model, scene, config.options.nominal, config.frequency_Hz);
-    return config;
+    return read_lab(file, parse_scene(model.scene_text, model.scene_name + ".toml"), &model);
   }
 
-  namespace
+  LabConfig read_lab_config(const std::filesystem::path &file, const Scene &scene)
   {
-    /// A laboratory at work: frames at their rate, ticks of its clock at theirs, lines when they arrive.
-    class LabRun
-    {
-    public:
-      LabRun(const ReducedModel &model, const LabConfig &config, const LabEnds &ends)
-          : config_(config), ends_(ends), swimmer_(model, config.options.densities), axis_(model.tail),
-            lab_(swimmer_, axis_, config.options)
-      {
-        if (config.is_steered)
-          return;
-        lab_.command().play_sinusoid(0., config.bx_T, config.by_T, config.frequency_Hz);
-        post(0., fmt::format(R"({{"type":"drive","time_s":0,"bx_T":{},"by_T":{},"frequency_Hz":{}}})", config.bx_T,
-                             config.by_T, config.frequency_Hz));
-      }
+    return read_lab(file, scene, nullptr);
+  }
 
-      void run()
-      {
-        while (lab_.now_s() < config_.duration_s)
-        {
-          const double next_s = lab_.next_frame_s();
-          if (config_.is_steered && !tick_until(next_s))
-            return;
-          const CapturedFrame frame = lab_.next_frame();
-          ends_.truth({lab_.now_s(), pose_shape_and_parameters()});
-          if (!frame.observations.empty())
-            post(frame.arrives_s, frame_line(frame, config_.tells_sigmas));
-          if (!deliver_until(lab_.now_s()))
-            return;
-        }
-        deliver_until(infinity);
-      }
-
-    private:
-      /// Of a swimmer with inertia without its velocities.
-      Eigen::VectorXd pose_shape_and_parameters() const
-      {
-        const Eigen::VectorXd &all = lab_.truth();
-        Eigen::VectorXd        some(swimmer_.n_velocities() + n_twin_parameters);
-        some << all.head(swimmer_.n_velocities()), all.tail(n_twin_parameters);
-        return some;
-      }
-
-      void post(const double arrives_s, std::string line) { on_the_way_.push({arrives_s, n_sent_++, std::move(line)}); }
-
-      bool deliver_until(const double time_s)
-      {
-        for (; !on_the_way_.empty() && on_the_way_.top().time_s <= time_s; on_the_way_.pop())
-          if (!ends_.send(on_the_way_.top().time_s, on_the_way_.top().line))
-            return false;
-        return true;
-      }
-
-      /// The ticks before the next frame. What is heard at a tick plays from then on, or from when it says.
-      bool tick_until(const double time_s)
-      {
-        for (double tick_s = next_tick_s(); tick_s < time_s; tick_s = next_tick_s())
-        {
-          ++n_ticks_;
-          if (!deliver_until(tick_s) || !ends_.send(tick_s, fmt::format(R"({{"type":"clock","time_s":{}}})", tick_s)))
-            return false;
-          for (const PlayMessage &play : ends_.hear(tick_s))
-            lab_.command().replace(play_from(tick_s, play));
-        }
-        return true;
-      }
-      double next_tick_s() const { return static_cast<double>(n_ticks_) / config_.ticks_per_second; }
-
-      /// The past cannot be played any more.
-      static std::vector<FieldSample> play_from(const double time_s, const PlayMessage &play)
-      {
-        if (play.samples.front().time_s >= time_s)
-          return play.samples;
-        FieldSignal said;
-        said.replace(play.samples);
-        std::vector<FieldSample> samples = {{time_s, said.value_T(time_s), 0.}};
-        for (const FieldSample &sample : play.samples)
-          if (sample.time_s > time_s)
-            samples.push_back(sample);
-        return samples;
-      }
-
-      const LabConfig                                                   &config_;
-      const LabEnds                                                     &ends_;
-      ReducedSwimmer                                                     swimmer_;
-      TailAxis                                                           axis_;
-      Laboratory                                                         lab_;
-      std::priority_queue<Arrival, std::vector<Arrival>, std::greater<>> on_the_way_;
-      long                                                               n_sent_ = 0, n_ticks_ = 0;
-    };
-  } // namespace
-
-  void run_laboratory(const ReducedModel &model, const LabConfig &config, const LabEnds &ends)
+  Scene scene_in_laboratory(Scene scene, const LabConfig &config)
   {
-    LabRun(model, config, ends).run();
+    const SwimmerParameters &nominal = config.options.nominal;
+    const TwinParameters    &truth   = config.options.truth;
+    const double             softer  = std::exp(truth[TwinParameter::stiffness].value),
+                 stronger            = std::exp(truth[TwinParameter::magnetization].value);
+    scene.tail->young_modulus_Pa     = nominal.young_modulus_Pa * softer;
+    scene.tail->magnetization_A_m    = nominal.tail_magnetization_A_m * stronger;
+    scene.head.magnetization_A_m     = nominal.magnetization_A_m * stronger;
+    scene.fluid->viscosity_Pa_s      = nominal.viscosity_Pa_s;
+    scene.field                      = FieldProgram::sinusoidal(config.bx_T, config.by_T, config.frequency_Hz);
+    scene.time.period_s              = 1. / config.frequency_Hz;
+    scene.fluid->inertia             = config.inertia == "none"   ? Inertia::none
+                                       : config.inertia == "full" ? Inertia::full
+                                                                  : Inertia::automatic;
+    scene.fluid->chosen              = inertia_terms(scene); // for this field; what plays is told step by step
+    scene.fluid->inertia             = Inertia::chosen;
+    scene.field                      = FieldProgram::constant(0., 0.);
+    scene.time                       = {};
+    scene.time.period_s              = 1. / config.options.camera.frames_per_second;
+    scene.time.steps_per_period      = config.steps_per_frame;
+    if (scene.dimension == 2)
+      scene.numerics.symmetric_half = SymmetricHalf::off; // the field at the start says nothing about what comes
+    return scene;
   }
 } // namespace swimtwin

@@ -1,11 +1,11 @@
-// An imagined laboratory on the reduced model: the other end of the twin's pipe.
+// An imagined laboratory: the other end of the twin's pipe.
 #pragma once
 
+#include <twin/lab/coil_driver.h>
 #include <twin/lab/laboratory_options.h>
+#include <twin/lab/laboratory_swimmer.h>
+#include <twin/lab/reduced_laboratory_swimmer.h>
 #include <twin/measurement/camera_sensor.h>
-
-#include <optional>
-#include <random>
 
 namespace swimtwin
 {
@@ -16,46 +16,48 @@ namespace swimtwin
     std::vector<Sighting> observations; ///< empty: the camera sent nothing
   };
 
-  /// The same for a seed, to the last digit.
+  /// Its camera films a swimmer in the field of its coils. The same for a seed, to the last digit.
   class Laboratory
   {
   public:
-    /// `swimmer` and `axis` must live as long.
-    Laboratory(const ReducedSwimmer &swimmer, const TailAxis &axis, const LaboratoryOptions &options);
+    /// Coils and swimmer must live as long.
+    Laboratory(CoilDriver &coils, LaboratorySwimmer &swimmer, const LaboratoryCamera &camera, unsigned int seed);
     Laboratory(const Laboratory &)            = delete;
     Laboratory &operator=(const Laboratory &) = delete;
 
-    /// What the coils are told; they play it with their lag and their steps.
-    FieldSignal &command() { return command_; }
+    /// What the coils are told.
+    FieldSignal             &command() { return coils_.command(); }
+    const LaboratorySwimmer &swimmer() const { return swimmer_; }
 
     /// To the next frame's instant. Throws ComputationError if the swimmer's motion is lost.
     CapturedFrame next_frame();
-    double next_frame_s() const { return static_cast<double>(n_frames_ + 1) / options_.camera.frames_per_second; }
-
-    double                 now_s() const { return now_s_; }
-    const Eigen::VectorXd &truth() const { return state_; } ///< swimmer and all parameters, as in layout()
-    const TwinLayout      &layout() const { return process_.layout(); }
-    /// The truth as a state of another layout.
-    Eigen::VectorXd truth_in(const TwinLayout &layout) const;
+    double        next_frame_s() const { return static_cast<double>(n_frames_ + 1) / camera_.frames_per_second; }
+    double        now_s() const { return now_s_; }
 
   private:
-    void     advance(double to_s);
-    void     apply_changes(double from_s, double to_s);
-    void     play_coils(double to_s);
     Sighting noisy(int kind, double place, double sigma);
 
-    LaboratoryOptions options_;
-    FieldSignal       command_, played_;
-    TwinProcess       process_;
-    CameraSensor      camera_;
-    Eigen::VectorXd   state_;
-    Eigen::MatrixXd   transition_, noise_;
-    Eigen::Vector2d   coil_T_ = Eigen::Vector2d::Zero();
-    double            now_s_ = 0., coils_s_ = 0.;
-    long              n_frames_ = 0;
+    CoilDriver           &coils_;
+    LaboratorySwimmer    &swimmer_;
+    LaboratoryCamera      camera_;
+    Chance                chance_;
+    double                now_s_    = 0.;
+    long                  n_frames_ = 0;
+    std::vector<Sighting> last_seen_;
+  };
 
-    std::mt19937_64                  random_;
-    std::normal_distribution<double> normal_;
-    std::vector<Sighting>            last_seen_;
+  /// One with a reduced swimmer.
+  struct ReducedLaboratory
+  {
+    CoilDriver               coils;
+    ReducedLaboratorySwimmer swimmer;
+    Laboratory               lab;
+
+    /// `reduced` and `axis` must live as long.
+    ReducedLaboratory(const ReducedSwimmer &reduced, const TailAxis &axis, const LaboratoryOptions &options)
+        : coils(options.coils), swimmer(reduced, axis, coils.played(), options),
+          lab(coils, swimmer, options.camera, options.seed)
+    {
+    }
   };
 } // namespace swimtwin

@@ -47,8 +47,9 @@ namespace swimtwin
     /// Chi-squared of the last belief; its size is the number of states.
     double last_error_squared(const Trial &trial, const int n_frames, Eigen::Index &n_states)
     {
-      Laboratory  lab(trial.swimmer, trial.axis, trial.lab);
-      SwimmerTwin twin(trial.model, trial.twin);
+      ReducedLaboratory imagined(trial.swimmer, trial.axis, trial.lab);
+      Laboratory       &lab = imagined.lab;
+      SwimmerTwin       twin(trial.model, trial.twin);
       for (FieldSignal *field : {&lab.command(), &twin.field()})
         field->play_sinusoid(0., 4e-3, 4e-3, lab_frequency_Hz);
       for (int i = 0; i < n_frames; ++i)
@@ -58,7 +59,7 @@ namespace swimtwin
       belief.mean.head(trial.swimmer.n_states()) +=
           (lab.now_s() - twin.now_s()) * twin.process().rate(twin.now_s(), belief.mean);
       n_states = belief.size();
-      return belief.distance_squared(lab.truth_in(twin.layout()));
+      return belief.distance_squared(imagined.swimmer.truth_in(twin.layout()));
     }
 
     // The sum of eight chi-squared with nine degrees of freedom lies between 44 and 105 with 99.9 %.
@@ -97,8 +98,9 @@ namespace swimtwin
       Trial trial(3);
       trial.lab.truth[TwinParameter::camera_delay]       = {0.183, 1., 0.};
       trial.twin.parameters[TwinParameter::camera_delay] = {0.125, 0.07, 1e-5};
-      Laboratory  lab(trial.swimmer, trial.axis, trial.lab);
-      SwimmerTwin twin(trial.model, trial.twin);
+      ReducedLaboratory imagined(trial.swimmer, trial.axis, trial.lab);
+      Laboratory       &lab = imagined.lab;
+      SwimmerTwin       twin(trial.model, trial.twin);
       for (FieldSignal *field : {&lab.command(), &twin.field()})
         field->play_sinusoid(0., 4e-3, 4e-3, lab_frequency_Hz);
       for (int i = 0; i < 200; ++i)
@@ -114,7 +116,8 @@ namespace swimtwin
     {
       const ReducedSwimmer swimmer(model, seen_in.densities);
       const TailAxis       axis(model.tail);
-      Laboratory           lab(swimmer, axis, seen_in);
+      ReducedLaboratory    imagined(swimmer, axis, seen_in);
+      Laboratory          &lab                         = imagined.lab;
       TwinOptions          options                     = default_twin_options(model, seen_in.nominal, 1.);
       options.densities                                = densities;
       options.parameters[TwinParameter::stiffness]     = {0., 0.1, 1e-3};
@@ -153,8 +156,9 @@ namespace swimtwin
 
     TEST(SwimmerTwin, EndsAlikeWhenFramesComeLateAndShuffled)
     {
-      Trial      trial(5);
-      Laboratory lab(trial.swimmer, trial.axis, trial.lab);
+      Trial             trial(5);
+      ReducedLaboratory imagined(trial.swimmer, trial.axis, trial.lab);
+      Laboratory       &lab = imagined.lab;
       lab.command().play_sinusoid(0., 4e-3, 4e-3, lab_frequency_Hz);
       std::vector<CapturedFrame> frames;
       for (int i = 0; i < 120; ++i)

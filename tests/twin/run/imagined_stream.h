@@ -5,7 +5,7 @@
 #include <datasets/system/error.h>
 #include <tests/datasets/temporary_folder.h>
 #include <tests/twin/open_swimmer.h>
-#include <twin/lab/lab_config.h>
+#include <twin/lab/lab_run.h>
 #include <twin/run/twin_session.h>
 
 #include <nlohmann/json.hpp>
