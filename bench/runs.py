@@ -3,6 +3,7 @@ import csv
 import json
 import os
 import pathlib
+import re
 import resource
 import subprocess
 import sys
@@ -12,6 +13,15 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 TOOL = pathlib.Path(os.environ.get("SWIMTWIN_TOOL", ROOT / "build" / "release" / "swimtwin"))
 ENVIRONMENT = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1",
                    OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+
+
+def listening_port(twin):
+    """Of `swimtwin twin --listen 0` with its standard error as a text pipe: what it says before, it says."""
+    for line in twin.stderr:
+        if found := re.search(r"127\.0\.0\.1:(\d+)", line):
+            return found.group(1)
+        print(line, end="", file=sys.stderr)
+    sys.exit("the twin ended before it listened")
 
 
 def run(scene, settings, n_ranks=1):
