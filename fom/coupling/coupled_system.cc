@@ -2,6 +2,7 @@
 
 #include <datasets/scene/mirror_plane.h>
 #include <fom/body/tail_rows.h>
+#include <fom/fluid/fluid_blocks.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -89,37 +90,7 @@ namespace swimtwin
     }
     condensation_.lay_out(system_);
     if (fluid_ && system_.is_iterative())
-      system_.set_kinds(own_kinds());
-  }
-
-  template <int dim>
-  std::vector<UnknownKind> CoupledSystem<dim>::own_kinds() const
-  {
-    std::vector<UnknownKind> kinds(map_.n_unknowns(), UnknownKind::body);
-    const auto               mark = [&](const unsigned int row, const UnknownKind kind) {
-      if (map_.end(row) - map_.begin(row) == 1 && map_.begin(row)->unknown < map_.first_head_unknown())
-        kinds[map_.begin(row)->unknown] = kind;
-    };
-    for (unsigned int i = 0; i < fluid_->mesh().n_nodes(); ++i)
-      for (int c = 0; c < dim; ++c)
-        mark(fluid_->numbering().vector_index(i, c), static_cast<UnknownKind>(c));
-    for (unsigned int c = 0; c < fluid_->mesh().n_cells(); ++c)
-      for (int v = 0; v <= dim; ++v)
-        mark(fluid_->numbering().pressure_index(fluid_->mesh().cells[c][v]), UnknownKind::pressure);
-    for (unsigned int row = n_fluid_rows_; row < n_fluid_rows_ + n_tail_rows(); ++row)
-      mark(row, UnknownKind::body);
-    return {kinds.begin() + map_.first_owned(), kinds.begin() + map_.last_owned()};
-  }
-
-  template <int dim>
-  void CoupledSystem<dim>::set_masses()
-  {
-    std::vector<double>       masses(map_.n_unknowns(), 0.);
-    const std::vector<double> of_rows = fluid_->pressure_masses();
-    for (unsigned int row = 0; row < of_rows.size(); ++row)
-      if (of_rows[row] != 0.)
-        map_.add_load(row, of_rows[row], masses);
-    system_.set_masses(masses);
+      system_.set_kinds(own_kinds(*fluid_, map_));
   }
 
   template <int dim>
@@ -226,7 +197,7 @@ namespace swimtwin
     system_.set_matrix(condensation_.values(), !(fluid_ && fluid_->solves_for_convection()));
     system_.set_right_hand_side(condensation_.right_hand_side());
     if (fluid_ && system_.is_iterative())
-      set_masses();
+      system_.set_masses(pressure_masses(*fluid_, map_));
     if (!system_.solve(unknowns))
       return false;
     if (is_carried)

@@ -62,14 +62,12 @@ namespace swimtwin
     unsigned int n_unknowns() const { return map_.n_unknowns(); }
 
   private:
-    void                     describe_tail();
-    void                     describe_surface();
-    void                     move_surface(const Configuration<dim> &configuration);
-    void                     give_motion(const LinearizationPoint<dim> &point);
-    void                     describe_mirror();
-    void                     lay_out();
-    std::vector<UnknownKind> own_kinds() const;
-    void                     set_masses();
+    void describe_tail();
+    void describe_surface();
+    void move_surface(const Configuration<dim> &configuration);
+    void give_motion(const LinearizationPoint<dim> &point);
+    void describe_mirror();
+    void lay_out();
     /// Linearised forces of one tail cell: rows and columns are its nodes' velocities without the head's rotation.
     struct TailCellSystem
     {

@@ -1,5 +1,7 @@
 #include <fom/resistance/fluid_rigid_system.h>
 
+#include <fom/fluid/fluid_blocks.h>
+
 namespace swimtwin
 {
   using namespace dealii;
@@ -34,6 +36,8 @@ namespace swimtwin
             rotation_entries_.push_back(
                 {k - dim, l - dim, condensation_.add_entry(*map_.head_unknown(k), *map_.head_unknown(l))});
     condensation_.lay_out(solver_);
+    if (solver_.is_iterative())
+      solver_.set_kinds(own_kinds(fluid_, map_));
   }
 
   template <int dim>
@@ -81,6 +85,8 @@ namespace swimtwin
   {
     solver_.set_matrix(condensation_.values());
     solver_.set_right_hand_side(condensation_.right_hand_side());
+    if (solver_.is_iterative())
+      solver_.set_masses(pressure_masses(fluid_, map_));
     return solver_.solve(unknowns);
   }
 

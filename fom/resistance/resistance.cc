@@ -18,6 +18,8 @@ namespace swimtwin
 
     LinearSolverOptions options;
     options.tolerance = 1e-13;
+    options.symmetric = true;
+    options.method    = scene.numerics.linear_solver;
     LinearSystem          solver(communicator, options);
     FluidRigidSystem<dim> system(swimmer, fluid, solver, true, communicator);
 
