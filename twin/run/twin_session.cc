@@ -313,9 +313,9 @@ namespace swimtwin
 
   void TwinSession::wait(const double since_last_line_s)
   {
-    if (!twin_.has_started())
+    if (!twin_.has_started() || has_clock_) // its clock says what time it is
       return;
-    if (pilot_ && !has_clock_)
+    if (pilot_)
       come_to(clock_at_last_line_s_ + since_last_line_s);
     else
       tell(watchdog_.wait(twin_.now_s() + since_last_line_s), twin_.now_s() + since_last_line_s);

@@ -32,7 +32,7 @@ namespace swimtwin
     void take(std::string_view line, std::string_view where = {});
     /// A line that cannot be taken at all, for the reason that the sentence says. It counts.
     void refuse_line(const std::string &sentence);
-    /// No line came for this time.
+    /// No line came for this time, by the wall clock. Nothing to one whose stream has a clock of its own.
     void wait(double since_last_line_s);
     /// A line of before a kill, or one that was said then: nothing is decided again.
     void take_again(std::string_view line);

@@ -175,6 +175,24 @@ namespace swimtwin
       EXPECT_TRUE(kept.of_type("alarm")[1]["over"]);
     }
 
+    // A laboratory that is slower than the wall clock, as one with a full-order swimmer: its clock counts.
+    TEST(TwinSession, DoesNotTakeASlowClockForDarkness)
+    {
+      for (const bool has_clock : {false, true})
+      {
+        KeptSession kept(model(), twin_config(model(), plain_twin));
+        for (const std::string &line : lab_lines(model(), "duration_s = 2\n[coils]\nbx_T = 4e-3\nby_T = 4e-3\n"
+                                                          "frequency_Hz = 0.8\n"))
+        {
+          kept.session.take(line);
+          if (const double time_s = nlohmann::json::parse(line).value("time_s", 0.); has_clock && time_s > 0.)
+            kept.session.take(fmt::format(R"({{"type":"clock","time_s":{}}})", time_s));
+          kept.session.wait(5.);
+        }
+        EXPECT_EQ(contains(kept.alarms(), "sight-lost"), !has_clock);
+      }
+    }
+
     TEST(TwinSession, BarksAtAFrozenPicture)
     {
       KeptSession kept(model(), twin_config(model(), plain_twin));

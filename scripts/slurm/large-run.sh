@@ -1,0 +1,25 @@
+#!/bin/bash
+# One full-order run on several nodes.
+#
+#     sbatch scripts/slurm/large-run.sh SCENE OUTPUT [KEY=VALUE ...]
+#
+# The mesh is on every rank, matrices and vectors are shared out. Some 20,000 unknowns per rank are as few as pay
+# (docs/benchmarks.md, "What space costs"). Submitted again, it goes on from its checkpoint.
+#SBATCH --job-name=swimtwin
+#SBATCH --nodes=2
+#SBATCH --ntasks-per-node=16
+#SBATCH --cpus-per-task=1
+#SBATCH --mem-per-cpu=2G
+#SBATCH --time=12:00:00
+set -eu
+scene=$1
+output=$2
+shift 2
+settings=()
+for entry in "$@"; do settings+=(--set "$entry"); done
+
+root=${SWIMTWIN_ROOT:-$SLURM_SUBMIT_DIR}
+. "$root/scripts/environment.sh"
+again=()
+if [ -e "$output/checkpoint.h5" ]; then again=(--resume); fi
+exec srun --mpi=pmix "$root/build/release/swimtwin" simulate "$scene" "${settings[@]}" --output "$output" --quiet "${again[@]}"

@@ -1,0 +1,30 @@
+#!/bin/bash
+# Full-order runs over frequencies as a job array: one run per task, one core each.
+#
+#     sbatch scripts/slurm/sweep-array.sh SCENE OUTPUT [KEY=VALUE ...]
+#
+# Results are in OUTPUT/f-FREQUENCY; a task that was cut off goes on where it was when the array is submitted again.
+#SBATCH --job-name=swimtwin-sweep
+#SBATCH --array=0-7
+#SBATCH --ntasks=1
+#SBATCH --cpus-per-task=1
+#SBATCH --mem=2G
+#SBATCH --time=02:00:00
+set -eu
+frequencies_Hz=(0.1 0.2 0.4 0.6 0.8 1.1 1.7 3.0)
+
+scene=$1
+output=$2
+shift 2
+settings=()
+for entry in "$@"; do settings+=(--set "$entry"); done
+
+root=${SWIMTWIN_ROOT:-$SLURM_SUBMIT_DIR}
+. "$root/scripts/environment.sh"
+frequency=${frequencies_Hz[$SLURM_ARRAY_TASK_ID]}
+folder=$output/f-$frequency
+if [ -e "$folder/summary.json" ]; then exit 0; fi
+again=()
+if [ -e "$folder/checkpoint.h5" ]; then again=(--resume); fi
+exec "$root/build/release/swimtwin" simulate "$scene" --set field.frequency_Hz="$frequency" "${settings[@]}" \
+  --output "$folder" --quiet "${again[@]}"
