@@ -22,6 +22,8 @@ namespace swimtwin
     options.method    = scene.numerics.linear_solver;
     LinearSystem          solver(communicator, options);
     FluidRigidSystem<dim> system(swimmer, fluid, solver, true, communicator);
+    if (solver.is_iterative()) // of the residual: below that a large system's is round-off
+      solver.aim_at(1e-11);
 
     // Unit loads give the columns of the mobility.
     const auto        &motions = system.motions();

@@ -3,8 +3,8 @@
 #
 #     sbatch scripts/slurm/large-run.sh SCENE OUTPUT [KEY=VALUE ...]
 #
-# The mesh is on every rank, matrices and vectors are shared out. Some 20,000 unknowns per rank are as few as pay
-# (docs/benchmarks.md, "What space costs"). Submitted again, it goes on from its checkpoint.
+# The mesh is on every rank, matrices and vectors are shared out; what two ranks gain is in docs/benchmarks.md, "What
+# space costs". Submitted again, it goes on from its checkpoint.
 #SBATCH --job-name=swimtwin
 #SBATCH --nodes=2
 #SBATCH --ntasks-per-node=16
