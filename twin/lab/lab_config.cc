@@ -173,8 +173,9 @@ namespace swimtwin
         config.inertia = read_inertia(top, *model);
       else
         top.word("inertia", Need::optional, {"none", "auto", "full"}, config.inertia);
-      if (config.swimmer == LabSwimmer::full_order)
-        top.number("steps_per_second", {"1/s", positive}, steps_per_second);
+      top.number("steps_per_second", {"1/s", positive}, steps_per_second);
+      if (config.swimmer == LabSwimmer::reduced && top.has("steps_per_second"))
+        top.note("steps_per_second", "is of a full-order swimmer; write plant = \"full-order\", or leave it out.");
       top.number("real_time", {"", not_negative}, config.real_time);
       for (const char *table : {"swimmer", "camera", "coils", "change", "temperature"})
         top.table(table);

@@ -77,6 +77,10 @@ namespace swimtwin
     EXPECT_NE(of("[temperature]\nrate_K_s = 1\n").find("is for a reduced swimmer"), std::string::npos);
     EXPECT_NE(of("[swimmer]\nflow_x_m_s = 1e-5\n").find("flow_x_m_s"), std::string::npos);
     EXPECT_NE(of("plant = \"reduced\"\n").find("full-order"), std::string::npos);
+    const TemporaryFolder folder;
+    const auto            file = written(folder, "lab.toml", "steps_per_second = 30\n");
+    EXPECT_NE(refusal([&] { read_lab_config(file, open_model()); }).find("is of a full-order swimmer"),
+              std::string::npos);
     EXPECT_NE(refusal([&] { lab_of(scene_named("csm1"), "seed = 1\n"); }).find("no free head"), std::string::npos);
   }
 } // namespace swimtwin
