@@ -133,8 +133,7 @@ namespace swimtwin
       CoilDriver               coils(options.coils);
       if (imagined.config.swimmer == LabSwimmer::full_order)
       {
-        const auto swimmer = make_full_order_laboratory_swimmer(scene_in_laboratory(imagined.scene, imagined.config),
-                                                                coils.played(), options.truth);
+        const auto swimmer = make_full_order_laboratory_swimmer(imagined.scene, imagined.config, coils.played());
         return film(command, imagined, coils, *swimmer);
       }
       const ReducedSwimmer     reduced(*imagined.model, options.densities);

@@ -33,8 +33,8 @@ namespace swimtwin
     return {};
   }
 
-  std::unique_ptr<LaboratorySwimmer> make_full_order_laboratory_swimmer(const Scene &, const FieldSignal &,
-                                                                        const TwinParameters &)
+  std::unique_ptr<LaboratorySwimmer> make_full_order_laboratory_swimmer(const Scene &, const LabConfig &,
+                                                                        const FieldSignal &)
   {
     require_full_order_model("a full-order laboratory", RanksAtWork::this_one);
     return {};

@@ -55,8 +55,8 @@ namespace swimtwin
     continue_in_full_order_program(RanksAtWork::this_one);
   }
 
-  std::unique_ptr<LaboratorySwimmer> make_full_order_laboratory_swimmer(const Scene &, const FieldSignal &,
-                                                                        const TwinParameters &)
+  std::unique_ptr<LaboratorySwimmer> make_full_order_laboratory_swimmer(const Scene &, const LabConfig &,
+                                                                        const FieldSignal &)
   {
     continue_in_full_order_program(RanksAtWork::this_one);
   }

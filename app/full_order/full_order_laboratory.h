@@ -9,8 +9,8 @@
 
 namespace swimtwin
 {
-  /// `scene`: of `scene_in_laboratory`; `played` must live as long. Throws InputError in a build without the full-order
-  /// model.
-  std::unique_ptr<LaboratorySwimmer> make_full_order_laboratory_swimmer(const Scene &scene, const FieldSignal &played,
-                                                                        const TwinParameters &truth);
+  /// Of a scene and what the laboratory's file says of it; `played` must live as long. Throws InputError in a build
+  /// without the full-order model.
+  std::unique_ptr<LaboratorySwimmer> make_full_order_laboratory_swimmer(const Scene &scene, const LabConfig &config,
+                                                                        const FieldSignal &played);
 } // namespace swimtwin

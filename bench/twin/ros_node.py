@@ -44,14 +44,14 @@ class TwinNode(Node):
             if answer["type"] == "estimate":
                 self.tell(answer)
             elif answer["type"] == "play":
-                self.samples = answer["samples"]
+                new = answer["samples"]  # from one decision ahead on; until then what was said before goes on
+                self.samples = [s for s in self.samples if s[0] < new[0][0] - 1e-6] + new
             elif answer["type"] in ("alarm", "error"):
                 self.alarm.publish(String(data=line.rstrip()))
 
     def tell(self, answer):
         message = PoseWithCovarianceStamped()
-        message.header.stamp.sec = math.floor(answer["time_s"])
-        message.header.stamp.nanosec = round(1e9 * (answer["time_s"] % 1.0)) % 10**9
+        message.header.stamp.sec, message.header.stamp.nanosec = divmod(round(1e9 * answer["time_s"]), 10**9)
         pose, sd = message.pose.pose, answer["sd"]
         pose.position.x, pose.position.y = answer["x_m"], answer["y_m"]
         pose.orientation.z, pose.orientation.w = math.sin(0.5 * answer["angle_rad"]), math.cos(0.5 * answer["angle_rad"])

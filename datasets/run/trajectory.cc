@@ -79,7 +79,15 @@ namespace swimtwin
 
     bool leaves_plane(const Trajectory &trajectory)
     {
-      return std::any_of(trajectory.begin(), trajectory.end(), [](const TrajectoryRow &row) { return row.bz_T != 0.; });
+      constexpr double round_off = 1e-8; // of the motion in the plane
+      double           along = 0., across = 0.;
+      for (const TrajectoryRow &row : trajectory)
+      {
+        along  = std::max({along, std::abs(row.tail_tip_x_m), std::abs(row.tail_tip_y_m), std::abs(row.head_x_m)});
+        across = std::max({across, std::abs(row.tail_tip_z_m), std::abs(row.head_z_m)});
+      }
+      return across > round_off * along ||
+             std::any_of(trajectory.begin(), trajectory.end(), [](const TrajectoryRow &row) { return row.bz_T != 0.; });
     }
 
     bool is_stabilized(const Trajectory &trajectory)

@@ -15,7 +15,7 @@ namespace swimtwin
     /// The tail's Newton method is to leave nothing that the coupling could notice.
     constexpr double tail_tolerance_share = 1e-2;
 
-    /// By factors, whatever their size: the blocks of `iterative` are those of the monolithic system.
+    /// By factors, whatever their size: it has two matrices, and uses each once.
     LinearSolverOptions factors(const Numerics &numerics)
     {
       LinearSolverOptions options = solver_options(numerics);

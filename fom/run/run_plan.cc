@@ -311,8 +311,10 @@ namespace swimtwin
       const bool        is_chosen = scene.numerics.linear_solver != LinearSolver::automatic;
       const std::string why =
           is_chosen ? std::string("[numerics] linear_solver")
-                    : fmt::format("{} {} unknowns{}", iterative ? "more than" : "at most", unknowns_for_iterations,
-                                  scene.dimension == 3 ? "" : " in space, any number in the plane");
+          : is_partitioned(scene)
+              ? std::string("[numerics] coupling = \"fixed-point\"")
+              : fmt::format("{} {} unknowns{}", iterative ? "more than" : "at most", unknowns_for_iterations,
+                            scene.dimension == 3 ? "" : " in space, any number in the plane");
       plan.solved.push_back(
           {"linear systems", fmt::format("{}: {}", iterative ? "FGMRES, blocks by physics" : "factors", why)});
     }

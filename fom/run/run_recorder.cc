@@ -149,7 +149,7 @@ namespace swimtwin
 
     const unsigned int m = shapes_.size();
     set.pose.resize(m, 3);
-    if (dim == 3 && scene_.field.leaves_plane())
+    if (dim == 3 && (scene_.field.leaves_plane() || scene_.gravity.leaves_plane()))
       set.pose_in_space.resize(m, 7);
     set.field_T.resize(m, 3);
     set.tail_displacement_m.resize(m, dim * n);

@@ -117,21 +117,42 @@ namespace swimtwin
         on->until_s = line.value("time_s", 0.);
     }
 
-    std::vector<RecordedAlarm> read_alarms(const fs::path &file)
+    RecordedProposal::Field proposed_field(const Json &json)
     {
-      std::vector<RecordedAlarm> alarms;
-      std::ifstream              in(file);
-      long                       number = 0;
+      return {json.at("frequency_Hz").get<double>(), json.at("largest_T").get<double>(), json.at("sd").get<double>(),
+              json.at("speed_m_s").get<double>()};
+    }
+
+    void add_proposal(const Json &line, std::vector<RecordedProposal> &proposals)
+    {
+      RecordedProposal proposal{line.at("parameter").get<std::string>(),
+                                line.at("time_s").get<double>(),
+                                line.at("ahead_s").get<double>(),
+                                proposed_field(line.at("as_is")),
+                                {}};
+      if (!line.at("proposed").is_null())
+        proposal.proposed = proposed_field(line.at("proposed"));
+      proposals.push_back(proposal);
+    }
+
+    /// Of a file that need not be there: each line is `what` and is added.
+    template <typename Recorded>
+    std::vector<Recorded> read_lines(const fs::path &file, const char *what,
+                                     void (*add)(const Json &, std::vector<Recorded> &))
+    {
+      std::vector<Recorded> all;
+      std::ifstream         in(file);
+      long                  number = 0;
       for (std::string line; std::getline(in, line);)
       {
         ++number;
         const Json json = Json::parse(line, nullptr, false);
         if (!json.is_object())
-          throw InputError(fmt::format("{}:{}: is no alarm as `twin` writes it; run the twin again with --force.",
-                                       file.string(), number));
+          throw InputError(fmt::format("{}:{}: is no {} as `twin` writes it; run the twin again with --force.",
+                                       file.string(), number, what));
         try
         {
-          add_alarm(json, alarms);
+          add(json, all);
         }
         catch (const Json::exception &)
         {
@@ -139,7 +160,7 @@ namespace swimtwin
                                        file.string(), number));
         }
       }
-      return alarms;
+      return all;
     }
 
     std::string sentence(const Json &direction)
@@ -204,7 +225,8 @@ namespace swimtwin
       record.n_steering_rows = count_rows(folder / steering_name);
       record.steering        = read_thinned(folder / steering_name, record.n_steering_rows);
     }
-    record.alarms = read_alarms(folder / alarms_name);
+    record.alarms    = read_lines<RecordedAlarm>(folder / alarms_name, "alarm", add_alarm);
+    record.proposals = read_lines<RecordedProposal>(folder / proposals_name, "proposal", add_proposal);
     if (fs::exists(folder / twin_summary_name, error))
       read_summary(folder / twin_summary_name, record);
     return record;

@@ -20,6 +20,19 @@ namespace swimtwin
     std::optional<double> until_s; ///< none: until the end, or of an instant
   };
 
+  /// A field that would have told more of a parameter.
+  struct RecordedProposal
+  {
+    struct Field
+    {
+      double frequency_Hz = 0., largest_T = 0., sd = 0., speed_m_s = 0.;
+    };
+    std::string          parameter;
+    double               time_s = 0., ahead_s = 0.;
+    Field                as_is;
+    std::optional<Field> proposed; ///< none: nothing within the limits tells more
+  };
+
   /// Columns of a table by name; NaN where a cell is empty. Of long tables every n-th row.
   using TwinColumns = std::map<std::string, std::vector<double>>;
 
@@ -36,6 +49,7 @@ namespace swimtwin
     TwinColumns                    columns, steering; ///< the second empty without a goal
     std::vector<TwinParameterName> parameters;        ///< that were estimated
     std::vector<RecordedAlarm>     alarms;
+    std::vector<RecordedProposal>  proposals;
 
     // Of twin.json, if the twin came to its end.
     std::optional<std::string>   status;

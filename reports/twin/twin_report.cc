@@ -65,6 +65,31 @@ namespace swimtwin
       return table;
     }
 
+    HtmlTable proposal_table(const TwinRecord &record)
+    {
+      constexpr std::size_t most = 200;
+      HtmlTable             table{{"at (s)", "parameter", "after (s)", "± sd as it is", "± sd proposed", "at (Hz)",
+                                   "largest |B| (mT)", "speed (µm/s), was"},
+                      {},
+                      true};
+      const auto            sd = [](const double value) { return plain_number(value, 3); };
+      for (std::size_t i = 0; i < std::min(most, record.proposals.size()); ++i)
+      {
+        const RecordedProposal        &p = record.proposals[i];
+        const RecordedProposal::Field &f = p.proposed.value_or(p.as_is);
+        table.rows.push_back(
+            {{fmt::format("{:.2f}", p.time_s)},
+             {p.parameter},
+             {fmt::format("{:.2f}", p.ahead_s)},
+             {sd(p.as_is.sd)},
+             {p.proposed ? sd(f.sd) : "nothing better"},
+             {plain_number(f.frequency_Hz, 3)},
+             {plain_number(1e3 * f.largest_T, 3)},
+             {fmt::format("{}, {}", plain_number(1e6 * f.speed_m_s, 3), plain_number(1e6 * p.as_is.speed_m_s, 3))}});
+      }
+      return table;
+    }
+
     HtmlTable count_table(const TwinRecord &record)
     {
       HtmlTable table{{}, {}};
@@ -120,6 +145,11 @@ namespace swimtwin
     {
       page.add_heading("Alarms");
       page.add_table(alarm_table(record));
+    }
+    if (!record.proposals.empty())
+    {
+      page.add_heading("Fields that would tell more");
+      page.add_table(proposal_table(record));
     }
     add_illustrations(page, illustrations);
     if (!record.counts.empty())

@@ -21,7 +21,7 @@ port = next(found.group(1) for line in twin.stderr if (found := re.search(r"127\
 
 
 def stamp(time_s=0.0):
-    return Message(sec=math.floor(time_s), nanosec=round(1e9 * (time_s % 1.0)) % 10**9)
+    return Message(**dict(zip(("sec", "nanosec"), divmod(round(1e9 * time_s), 10**9))))
 
 
 def pose():

@@ -42,6 +42,8 @@ namespace swimtwin
     const Motion one   = simulate(scene),
                  two   = simulate(scene.with({"numerics.coupling=fixed-point", "numerics.acceleration=iqn-ils"}));
     ASSERT_EQ(one.summary.n_remeshes + two.summary.n_remeshes + two.summary.n_step_halvings, 0);
+    EXPECT_GT(two.summary.n_tail_linear_solves, two.summary.n_steps);
+    EXPECT_EQ(one.summary.n_tail_linear_solves, 0);
     EXPECT_LE(distance(one.trajectory, two.trajectory), 1e-7);
     EXPECT_LE(largest_angle_difference(one.trajectory, two.trajectory), 1e-7);
     EXPECT_LE(std::abs(one.trajectory.back().head_z_m - two.trajectory.back().head_z_m), 1e-7 * body_length_m);

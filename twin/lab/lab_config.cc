@@ -136,10 +136,16 @@ namespace swimtwin
 
     void require_swimmer(const std::filesystem::path &file, const Scene &scene)
     {
+      const auto refuse = [&](const char *problem) {
+        throw InputError(fmt::format("{} films a swimmer, but the scene {} {}; take another scene.", file.string(),
+                                     scene.name, problem));
+      };
       if (!scene.fluid || !scene.tail || !scene.tail->is_elastic() || !scene.head.is_free())
-        throw InputError(fmt::format("{} films a swimmer, but the scene {} has no free head with an elastic tail in a "
-                                     "fluid; take another scene.",
-                                     file.string(), scene.name));
+        refuse("has no free head with an elastic tail in a fluid");
+      if (scene.head.magnetization_A_m == 0.)
+        refuse("has a head without magnetization_A_m, which the twin follows");
+      if (scene.field.leaves_plane() || scene.gravity.leaves_plane())
+        refuse("leaves the plane of x and y, which is all that the camera sees");
     }
 
     /// What the full-order swimmer cannot do is refused.
@@ -158,12 +164,12 @@ namespace swimtwin
     LabConfig read_lab(const std::filesystem::path &file, const Scene &scene, const ReducedModel *model)
     {
       require_swimmer(file, scene);
-      LabConfig          config;
-      const TomlDocument document(read_decoded_text(file, "the laboratory"), file.string(), {});
-      TomlTable          top(document, "");
-      int                seed             = 1;
-      std::string        plant            = model ? "reduced" : "full-order";
-      double             steps_per_second = 1. / scene.time.time_step_s();
+      LabConfig             config;
+      const TomlDocument    document(read_decoded_text(file, "the laboratory"), file.string(), {});
+      TomlTable             top(document, "");
+      int                   seed  = 1;
+      std::string           plant = model ? "reduced" : "full-order";
+      std::optional<double> steps_per_second;
       top.integer("seed", {"", not_negative}, seed);
       top.number("duration_s", {"s", positive}, config.duration_s);
       top.word("plant", Need::optional, model ? std::vector<std::string>{"reduced", "full-order"} : std::vector{plant},
@@ -192,8 +198,16 @@ namespace swimtwin
         options.densities = carried_densities(config.inertia, *model, scene, options.nominal, config.frequency_Hz);
       else
         require_still_swimmer(document, options);
-      config.steps_per_frame =
-          std::max(1, static_cast<int>(std::ceil(steps_per_second / options.camera.frames_per_second - 1e-9)));
+      constexpr double fewest_steps = 10.; // per period, as of scenes
+      const double     of_scene     = scene.field.period_s() > 0. ? scene.time.steps_per_period * config.frequency_Hz
+                                                                  : 1. / scene.time.time_step_s();
+      if (steps_per_second && *steps_per_second < fewest_steps * config.frequency_Hz)
+        document.refuse("", "steps_per_second",
+                        fmt::format("is below {} steps per period of the coils at {:.4g} Hz; raise it.", fewest_steps,
+                                    config.frequency_Hz));
+      config.steps_per_frame = std::max(
+          1,
+          static_cast<int>(std::ceil(steps_per_second.value_or(of_scene) / options.camera.frames_per_second - 1e-9)));
       return config;
     }
   } // namespace
@@ -212,9 +226,9 @@ namespace swimtwin
   {
     const SwimmerParameters &nominal = config.options.nominal;
     const TwinParameters    &truth   = config.options.truth;
-    const double             softer  = std::exp(truth[TwinParameter::stiffness].value),
+    const double             stiffer = std::exp(truth[TwinParameter::stiffness].value),
                  stronger            = std::exp(truth[TwinParameter::magnetization].value);
-    scene.tail->young_modulus_Pa     = nominal.young_modulus_Pa * softer;
+    scene.tail->young_modulus_Pa     = nominal.young_modulus_Pa * stiffer;
     scene.tail->magnetization_A_m    = nominal.tail_magnetization_A_m * stronger;
     scene.head.magnetization_A_m     = nominal.magnetization_A_m * stronger;
     scene.fluid->viscosity_Pa_s      = nominal.viscosity_Pa_s;
@@ -223,14 +237,9 @@ namespace swimtwin
     scene.fluid->inertia             = config.inertia == "none"   ? Inertia::none
                                        : config.inertia == "full" ? Inertia::full
                                                                   : Inertia::automatic;
-    scene.fluid->chosen              = inertia_terms(scene); // for this field; what plays is told step by step
+    scene.fluid->chosen              = inertia_terms(scene); // for the coils' sinusoid, whatever plays
     scene.fluid->inertia             = Inertia::chosen;
-    scene.field                      = FieldProgram::constant(0., 0.);
-    scene.time                       = {};
-    scene.time.period_s              = 1. / config.options.camera.frames_per_second;
-    scene.time.steps_per_period      = config.steps_per_frame;
-    if (scene.dimension == 2)
-      scene.numerics.symmetric_half = SymmetricHalf::off; // the field at the start says nothing about what comes
+    scene.numerics.coupling          = CouplingScheme::monolithic; // inertia may be carried
     return scene;
   }
 } // namespace swimtwin

@@ -31,6 +31,6 @@ namespace swimtwin
   /// With a full-order swimmer.
   LabConfig read_lab_config(const std::filesystem::path &file, const Scene &scene);
 
-  /// The scene with the laboratory's swimmer in its fluid, at rest, in a field of its own.
+  /// The scene with the laboratory's swimmer in its fluid, and the inertia that it has there.
   Scene scene_in_laboratory(Scene scene, const LabConfig &config);
 } // namespace swimtwin

@@ -185,6 +185,8 @@ namespace swimtwin
     table_ = AppendedFile(folder_ / twin_table_name);
     table_.append_line(header(session));
     alarms_ = AppendedFile(folder_ / alarms_name);
+    if (session.proposes_fields())
+      proposals_ = AppendedFile(folder_ / proposals_name);
     if (session.pilot() != nullptr)
     {
       steering_ = AppendedFile(folder_ / steering_name);
@@ -231,6 +233,11 @@ namespace swimtwin
     table_          = AppendedFile(folder_ / twin_table_name);
     cut_to_whole_lines(folder_ / alarms_name);
     alarms_ = AppendedFile(folder_ / alarms_name);
+    if (session.proposes_fields())
+    {
+      cut_to_whole_lines(folder_ / proposals_name);
+      proposals_ = AppendedFile(folder_ / proposals_name);
+    }
     if (session.pilot() != nullptr)
     {
       cut_to_whole_lines(folder_ / steering_name);

@@ -14,7 +14,8 @@ namespace swimtwin
   inline constexpr const char *twin_summary_name = "twin.json";
   inline constexpr const char *twin_state_name   = "twin-state.json";
   inline constexpr const char *alarms_name       = "twin-alarms.jsonl";
-  inline constexpr const char *steering_name     = "steering.csv"; ///< with a goal
+  inline constexpr const char *proposals_name    = "twin-proposals.jsonl"; ///< with [telling]
+  inline constexpr const char *steering_name     = "steering.csv";         ///< with a goal
 
   /// A file to which whole lines are appended, each by one write.
   class AppendedFile
@@ -52,6 +53,7 @@ namespace swimtwin
     void note(const TwinSession &session, const EstimateRecord &record);
     void note(const PlayRecord &record);
     void note_alarm(const std::string &line) { alarms_.append_line(line); }
+    void note_proposal(const std::string &line) { proposals_.append_line(line); }
     /// From here on a killed twin goes on.
     void save(const TwinSession &session);
     void write_summary(const TwinSession &session, const Provenance &provenance) const;
@@ -63,7 +65,7 @@ namespace swimtwin
 
     std::filesystem::path folder_;
     std::string           fingerprint_;
-    AppendedFile          table_, alarms_, steering_, journal_;
+    AppendedFile          table_, alarms_, proposals_, steering_, journal_;
     long                  journal_number_ = 0, n_rows_ = 0, n_rows_in_file_ = 0;
   };
 } // namespace swimtwin

@@ -96,6 +96,8 @@ namespace swimtwin
           folder_.remember_line(line);
         if (line.starts_with(alarm_line_start))
           folder_.note_alarm(line);
+        if (line.starts_with(proposal_line_start))
+          folder_.note_proposal(line);
         if (line.starts_with(path_line_start)) // where it lies follows from no line of the journal
           folder_.save(session_);
         if (server_)

@@ -31,6 +31,7 @@ namespace swimtwin
 
   void TwinSession::greet()
   {
+    has_clock_ = false; // another client may have none
     listeners_.say(greeting_line(twin_, model_.scene_name));
     if (pilot_ && pilot_->has_path())
       listeners_.say(path_line(clock_s_, pilot_->path()));
@@ -86,6 +87,7 @@ namespace swimtwin
     if (pilot_)
       pilot_->forget_time();
     next_forecast_s_ = next_open_s_ = next_proposal_s_ = -1e300;
+    has_clock_                                         = false;
     if (telling_)
       telling_->give_up();
   }
@@ -219,9 +221,13 @@ namespace swimtwin
     }
     if (now_s < next_proposal_s_)
       return;
+    constexpr int enough_instants = 10; // of the window, to know how often something is seen
+    if (twin_.filter().n_nodes() < enough_instants || (pilot_ && !pilot_->plays_carrier()))
+      return;
     next_proposal_s_ = now_s + telling_->options().every_periods * config_.period_s;
     if (pilot_)
-      telling_->begin(twin_, config_.steering->goal.carrier, now_s);
+      telling_->begin(twin_, turned(config_.steering->goal.carrier, pilot_->carrier_angle_rad(now_s)),
+                      pilot_->carrier_start_s());
     else if (const FieldSignal::Program *program = twin_.field().program_at(now_s))
       telling_->begin(twin_, program->drive, program->start_s);
   }

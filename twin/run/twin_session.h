@@ -41,6 +41,7 @@ namespace swimtwin
     bool                has_ended() const { return has_ended_; }
     const StreamCounts &counts() const { return counts_; }
     const SwimmerTwin  &twin() const { return twin_; }
+    bool                proposes_fields() const { return telling_.has_value(); }
     const Pilot        *pilot() const { return pilot_ ? &*pilot_ : nullptr; } ///< null if the twin only watches
 
     /// All that a later session needs to go on as if nothing had happened; null before the first frame.

@@ -166,8 +166,7 @@ namespace swimtwin
 
   Eigen::Vector2d Pilot::wanted_T(const double time_s) const
   {
-    const bool plays_plan = phase_ == SteeringPhase::warming || phase_ == SteeringPhase::following;
-    return plays_plan ? plan_.field_T(clock_.periods(time_s)) : config_.safe_T;
+    return plays_carrier() ? plan_.field_T(clock_.periods(time_s)) : config_.safe_T;
   }
 
   /// From what is played at its beginning on; behind its end to the safe field.

@@ -56,6 +56,12 @@ namespace swimtwin
     const Path          &wanted_path() const { return config_.goal.path; }
     const CarrierMotion &motion() const { return motion_; }
 
+    /// Whether the carrier plays, along the path or towards its beginning; if so how far it is turned at an instant,
+    /// and since when it plays, phase 0 there.
+    bool   plays_carrier() const { return phase_ == SteeringPhase::warming || phase_ == SteeringPhase::following; }
+    double carrier_angle_rad(const double time_s) const { return plan_.angle_rad(clock_.periods(time_s)); }
+    double carrier_start_s() const { return clock_.origin_s; }
+
     /// What a later program needs to go on along the same path.
     struct Memory
     {

@@ -46,7 +46,7 @@ namespace swimtwin
   std::string                  alarm_line(const Alarm &alarm, double time_s);
   std::string                  proposal_line(const SwimmerTwin &twin, const TellingField &proposal);
   inline constexpr const char *play_line_start = R"({"type":"play",)", *alarm_line_start = R"({"type":"alarm",)",
-                              *path_line_start = R"({"type":"path",)";
+                              *path_line_start = R"({"type":"path",)", *proposal_line_start = R"({"type":"proposal",)";
   std::string play_line(const PlayRecord &record);
   /// Where the path was laid; all that is said of it.
   std::string path_line(double time_s, const Path &path);

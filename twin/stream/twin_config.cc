@@ -177,8 +177,12 @@ namespace swimtwin
       telling.lowest_Hz   = 0.5 * drive->frequency_Hz;
       telling.highest_Hz  = 2. * drive->frequency_Hz;
       telling.keeps_speed = config.steering.has_value();
-      if (config.steering && config.steering->goal.limits.magnitude_T < FieldLimits::none)
-        telling.largest_T = config.steering->goal.limits.magnitude_T;
+      if (config.steering)
+      {
+        telling.coils = config.steering->goal.limits;
+        if (telling.coils.magnitude_T < FieldLimits::none)
+          telling.largest_T = telling.coils.magnitude_T;
+      }
       std::vector<std::string> names;
       for (int i = 0; i < n_twin_parameters; ++i)
         if (config.options.parameters.list[static_cast<std::size_t>(i)].is_estimated())

@@ -13,6 +13,8 @@ namespace swimtwin
 
   /// Parameters whose names begin with bx and by are multiplied.
   Drive changed(const Drive &drive, const FieldChange &change);
+  /// Its field turned by an angle; parameters as before.
+  Drive turned(const Drive &drive, double angle_rad);
   /// The largest |B| over a period, T.
   double largest_T(const Drive &drive);
 } // namespace swimtwin

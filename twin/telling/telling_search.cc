@@ -1,17 +1,19 @@
+#include <twin/steering/coil_limiter.h>
 #include <twin/telling/telling_search.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace swimtwin
 {
   namespace
   {
     constexpr double     small_change = 0.05; ///< of a factor's logarithm
-    constexpr std::array steps        = {0.5, 0.25, 0.12};
+    constexpr std::array steps        = {0.5, 0.25, 0.12, 0.06};
     constexpr double     worth_saying = 0.01; ///< of the standard deviation
-    constexpr double     same_speed   = 0.05;
+    constexpr double     slower       = 0.05;
   } // namespace
 
   TellingSearch::TellingSearch(const ReducedModel &model, const TwinOptions &twin, const TellingOptions &options)
@@ -37,15 +39,30 @@ namespace swimtwin
     const double f = drive_.frequency_Hz;
     change.frequency_times =
         std::clamp(change.frequency_times, std::min(1., options_.lowest_Hz / f), std::max(1., options_.highest_Hz / f));
-    // A drive that is beyond the limit itself may stay as it is.
-    const double allowed_T = std::max(options_.largest_T, swimtwin::largest_T(drive_)),
-                 asked_T   = swimtwin::largest_T(changed(drive_, change));
-    if (asked_T > allowed_T)
+    // A drive that is beyond the limits itself may stay as it is.
+    const double allowed = std::max(1., use_of_limits(drive_)), asked = use_of_limits(changed(drive_, change));
+    if (asked > allowed)
     {
-      change.bx_times *= allowed_T / asked_T;
-      change.by_times *= allowed_T / asked_T;
+      change.bx_times *= allowed / asked;
+      change.by_times *= allowed / asked;
     }
     return change;
+  }
+
+  double TellingSearch::use_of_limits(const Drive &drive) const
+  {
+    constexpr int     n_phases = 96, n_angles = 24;
+    const CoilLimiter coils(options_.coils);
+    double            use = swimtwin::largest_T(drive) / options_.largest_T;
+    for (int i = 0; i < n_phases; ++i)
+    {
+      const Eigen::Vector2d b    = drive.field->value_T(static_cast<double>(i) / n_phases, drive.parameters),
+                            next = drive.field->value_T((i + 1.) / n_phases, drive.parameters);
+      for (int k = 0; k < n_angles; ++k)
+        use = std::max(use, coils.use_of(Eigen::Rotation2Dd(2. * std::numbers::pi * k / n_angles) * b));
+      use = std::max(use, (next - b).norm() * n_phases * drive.frequency_Hz / options_.coils.slew_rate_T_s);
+    }
+    return use;
   }
 
   std::optional<TrialResult> TellingSearch::trial(const FieldChange &change)
@@ -56,7 +73,7 @@ namespace swimtwin
   void TellingSearch::choose_direction()
   {
     direction_ = -slopes_;
-    if (options_.keeps_speed && speed_slopes_.squaredNorm() > 0.)
+    if (options_.keeps_speed && direction_.dot(speed_slopes_) < 0.)
       direction_ -= direction_.dot(speed_slopes_) / speed_slopes_.squaredNorm() * speed_slopes_;
     if (const double size = direction_.norm(); size > 0.)
       direction_ /= size;
@@ -102,7 +119,7 @@ namespace swimtwin
     const FieldChange change = within_limits(steps[static_cast<std::size_t>(number - n_variables - 1)] * direction_);
     const auto        result = trial(change);
     const bool is_better     = result && result->standard_deviation < (1. - worth_saying) * as_is_.standard_deviation &&
-                           (!options_.keeps_speed || std::abs(speed_change(*result)) <= same_speed);
+                           (!options_.keeps_speed || speed_change(*result) >= -slower);
     if (is_better)
       return finish(change, *result, true);
     if (number == n_variables + static_cast<int>(steps.size()))

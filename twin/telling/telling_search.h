@@ -37,7 +37,9 @@ namespace swimtwin
     static constexpr int n_variables = 3;
     using Variables                  = Eigen::Matrix<double, n_variables, 1>; ///< logarithms of the three factors
 
-    FieldChange                 within_limits(const Variables &x) const;
+    FieldChange within_limits(const Variables &x) const;
+    /// Of the coils' limits and the largest field: at most 1 where all are kept.
+    double                      use_of_limits(const Drive &drive) const;
     std::optional<TrialResult>  trial(const FieldChange &change);
     void                        choose_direction();
     std::optional<TellingField> finish(const FieldChange &change, const TrialResult &result, bool is_better);

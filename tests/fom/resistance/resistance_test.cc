@@ -57,6 +57,7 @@ namespace swimtwin
       for (int j = 0; j < 3; ++j)
         EXPECT_NEAR(iterations.matrix(i, j), factors.matrix(i, j), 1e-8 * scale(factors.matrix, i, j));
     EXPECT_LT(iterations.asymmetry, 1e-10);
+    EXPECT_NE(iterations.matrix(0, 0), factors.matrix(0, 0)) << "the same arithmetic: nothing was iterated on";
   }
 
   // A mesh and its mirror image: entries that couple what is even with what is odd change sign, the others stay.

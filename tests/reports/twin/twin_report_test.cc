@@ -69,6 +69,28 @@ namespace swimtwin
     EXPECT_EQ(record.parameters.front().symbol, "E/μ");
   }
 
+  TEST(TwinRecord, HoldsWhatWasProposedAndThePageShowsIt)
+  {
+    const TemporaryFolder folder;
+    write_table(folder.path, 10);
+    const std::string
+        start =
+            R"({"type":"proposal","version":1,"time_s":6,"parameter":"young_modulus_over_viscosity_log","sd":0.02,"ahead_s":2.5,)"
+            R"("as_is":{"frequency_Hz":0.8,"largest_T":5e-3,"sd":0.015,"speed_m_s":1e-4},"proposed":)",
+        field = R"({"frequency_Hz":1.2,"largest_T":7e-3,"sd":0.011,"speed_m_s":1.2e-4,"bx_times":1,"by_times":1.5})";
+    write(folder.path / "twin-proposals.jsonl", start + field + "}\n" + start + "null}\n");
+    const TwinRecord record = read_twin_record(folder.path);
+    ASSERT_EQ(record.proposals.size(), 2U);
+    ASSERT_TRUE(record.proposals[0].proposed.has_value());
+    EXPECT_EQ(record.proposals[0].proposed->sd, 0.011);
+    EXPECT_FALSE(record.proposals[1].proposed.has_value());
+    const std::string page = twin_page(record, {}).text();
+    for (const char *part : {"Fields that would tell more", "0.011", "nothing better", "120, 100"})
+      EXPECT_NE(page.find(part), std::string::npos) << part;
+    write(folder.path / "twin-proposals.jsonl", "{}\n");
+    EXPECT_NE(refusal(folder.path).find("twin-proposals.jsonl:1: has an entry of the wrong kind"), std::string::npos);
+  }
+
   TEST(TwinRecord, EndsAnAlarmWithItsOwnEnd)
   {
     const TemporaryFolder folder;

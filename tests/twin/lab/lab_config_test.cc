@@ -52,7 +52,6 @@ namespace swimtwin
     EXPECT_EQ(lab_of(scene, "steps_per_second = 60\n").steps_per_frame, 2);
     EXPECT_EQ(lab_of(scene, "steps_per_second = 61\n").steps_per_frame, 3);
     EXPECT_EQ(lab_of(scene, "steps_per_second = 10\n").steps_per_frame, 1);
-    EXPECT_DOUBLE_EQ(scene_in_laboratory(scene, lab_of(scene, "steps_per_second = 60\n")).time.time_step_s(), 1. / 60.);
   }
 
   TEST(LabConfig, TheSceneHasTheLaboratorysSwimmerInIt)
@@ -64,9 +63,32 @@ namespace swimtwin
     EXPECT_NEAR(in_lab.tail->young_modulus_Pa, 1.1e5, 1e-8);
     EXPECT_NEAR(in_lab.fluid->viscosity_Pa_s, 1.2, 1e-14);
     EXPECT_NEAR(in_lab.head.magnetization_A_m, 9e4, 1e-8);
-    EXPECT_EQ(in_lab.numerics.symmetric_half, SymmetricHalf::off);
     EXPECT_FALSE(inertia_terms(in_lab).any());
     EXPECT_TRUE(inertia_terms(scene_in_laboratory(scene, lab_of(scene, "inertia = \"full\"\n"))).any());
+  }
+
+  // As many steps per period of the coils as the scene has of its own field, and never fewer than a scene may have.
+  TEST(LabConfig, StepsFollowTheCoils)
+  {
+    const Scene     scene = scene_named("reference-2d-casefile"); // 100 per period
+    const LabConfig slow  = lab_of(scene, "[coils]\nfrequency_Hz = 0.3\n"),
+                    fast  = lab_of(scene, "[coils]\nfrequency_Hz = 3\n");
+    EXPECT_EQ(slow.steps_per_frame, 1);
+    EXPECT_EQ(fast.steps_per_frame, 10);
+    EXPECT_NE(refusal([&] {
+                lab_of(scene, "steps_per_second = 20\n[coils]\nfrequency_Hz = 3\n");
+              }).find("below 10 steps per period"),
+              std::string::npos);
+  }
+
+  TEST(LabConfig, RefusesASwimmerThatTheTwinCannotFollow)
+  {
+    Scene scene                  = scene_named("reference-2d-casefile");
+    scene.head.magnetization_A_m = 0.;
+    EXPECT_NE(refusal([&] { lab_of(scene, "seed = 1\n"); }).find("without magnetization_A_m"), std::string::npos);
+    scene                              = scene_named("reference-3d-paper");
+    scene.gravity.acceleration_m_s2[2] = -9.81;
+    EXPECT_NE(refusal([&] { lab_of(scene, "seed = 1\n"); }).find("leaves the plane"), std::string::npos);
   }
 
   TEST(LabConfig, AFullOrderSwimmerHasNoMiracles)

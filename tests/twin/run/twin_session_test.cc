@@ -193,6 +193,19 @@ namespace swimtwin
       }
     }
 
+    // The next client may have no clock, and darkness is darkness again.
+    TEST(TwinSession, ForgetsTheClockOfAClientThatWent)
+    {
+      KeptSession kept(model(), twin_config(model(), plain_twin));
+      kept.take_all(lab_lines(model(), short_lab));
+      kept.session.take(R"({"type":"clock","time_s":6})");
+      kept.session.wait(5.);
+      EXPECT_FALSE(contains(kept.alarms(), "sight-lost"));
+      kept.session.greet();
+      kept.session.wait(5.);
+      EXPECT_TRUE(contains(kept.alarms(), "sight-lost"));
+    }
+
     TEST(TwinSession, BarksAtAFrozenPicture)
     {
       KeptSession kept(model(), twin_config(model(), plain_twin));

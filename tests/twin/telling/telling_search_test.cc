@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 namespace swimtwin
 {
   namespace
@@ -93,18 +95,53 @@ namespace swimtwin
     }
   }
 
-  // With no room at all the field stays; and with the speed kept it is kept.
-  TEST(TellingSearch, StaysWhereThereIsNoRoomAndKeepsTheSpeedThatAGoalNeeds)
+  // A carrier that is too large already may stay as large, and one frequency alone leaves no other; the components'
+  // shares are what is left.
+  TEST(TellingSearch, GoesNoFurtherThanItsRoom)
   {
     const Watching watching;
     TellingOptions narrow = options(TwinParameter::stiffness);
-    narrow.largest_T      = 5e-3;
-    narrow.keeps_speed    = true;
+    narrow.largest_T      = 1e-9;
+    narrow.lowest_Hz = narrow.highest_Hz = carrier.frequency_Hz;
     TellingSearch      telling(watching.model, watching.config.options, narrow);
     const TellingField found = search(telling, watching.twin());
-    EXPECT_LE(largest_T(found.proposed), 5e-3 * (1. + 1e-9));
-    EXPECT_NEAR(found.of_proposed.speed_m_s, found.of_as_is.speed_m_s, 0.05 * found.of_as_is.speed_m_s);
-    EXPECT_LE(found.of_proposed.standard_deviation, found.of_as_is.standard_deviation);
+    ASSERT_TRUE(found.is_better);
+    EXPECT_NEAR(largest_T(found.proposed), 5e-3, 1e-9);
+    EXPECT_DOUBLE_EQ(found.proposed.frequency_Hz, carrier.frequency_Hz);
+  }
+
+  TEST(TellingSearch, KeepsTheSpeedThatAGoalNeeds)
+  {
+    const Watching watching;
+    TellingOptions kept = options(TwinParameter::magnetization);
+    kept.keeps_speed    = true;
+    TellingSearch      telling(watching.model, watching.config.options, kept);
+    const TellingField found = search(telling, watching.twin());
+    ASSERT_TRUE(found.is_better);
+    EXPECT_GE(found.of_proposed.speed_m_s, 0.95 * found.of_as_is.speed_m_s);
+  }
+
+  // However the carrier is turned: a bound on each component is one on its size, and a slow coil bounds the frequency.
+  TEST(TellingSearch, KeepsTheCoilsLimits)
+  {
+    const Watching watching;
+    TellingOptions weak      = options(TwinParameter::stiffness);
+    weak.coils.component_T   = {5.5e-3, 6e-3};
+    weak.coils.slew_rate_T_s = 0.02;
+    TellingSearch      telling(watching.model, watching.config.options, weak);
+    const TellingField found = search(telling, watching.twin());
+    EXPECT_LE(largest_T(found.proposed), 5.5e-3 * 1.01);
+    const double fastest_T_s = 2. * std::numbers::pi * found.proposed.frequency_Hz * found.proposed.parameters[1];
+    EXPECT_LE(fastest_T_s, 0.02 * 1.01);
+  }
+
+  TEST(CarrierChange, TurnsTheField)
+  {
+    const Drive           drive = turned(carrier, 0.7);
+    const Eigen::Vector2d was   = carrier.field->value_T(0.1, carrier.parameters);
+    EXPECT_LT((drive.field->value_T(0.1, drive.parameters) - Eigen::Rotation2Dd(0.7) * was).norm(), 1e-15);
+    EXPECT_NEAR(largest_T(drive), largest_T(carrier), 1e-15);
+    EXPECT_DOUBLE_EQ(changed(drive, {2., 1., 1.}).parameters[0], 8e-3);
   }
 
   // The laboratory plays what was proposed, and the interval is shorter than with the field as it was, as foreseen.
