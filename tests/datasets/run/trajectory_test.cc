@@ -185,7 +185,7 @@ namespace swimtwin
     const TemporaryFolder folder;
     const auto            file = folder.path / "trajectory.csv";
     TrajectoryRow         row  = example_row();
-    row.head_z_m               = 1. / 3.;
+    row.head_z_m               = 1e-10 * row.head_x_m; // round-off of both halves
     row.head_qw                = .5;
     row.head_qy                = -std::sqrt(.75);
     const auto header          = [&] {
@@ -196,10 +196,15 @@ namespace swimtwin
     const std::string planar = header();
     expect_in(planar, "head_torque_N_m,fluid_force_x_N,");
     EXPECT_TRUE(planar.ends_with("remeshed,head_z_m,tail_tip_z_m,head_qw,head_qx,head_qy,head_qz"));
-    row.bz_T              = 1e-3;
+    const std::string out_of_plane = planar +
+                                     ",bz_T,head_force_z_N,head_torque_x_N_m,head_torque_y_N_m,fluid_force_z_N,"
+                                     "fluid_torque_x_N_m,fluid_torque_y_N_m";
+    row.bz_T = 1e-3;
+    EXPECT_EQ(header(), out_of_plane);
+    row.bz_T              = 0.; // weight along z
+    row.head_z_m          = 1. / 3.;
     row.head_torque_x_N_m = 2. / 3.;
-    EXPECT_EQ(header(), planar + ",bz_T,head_force_z_N,head_torque_x_N_m,head_torque_y_N_m,fluid_force_z_N,"
-                                 "fluid_torque_x_N_m,fluid_torque_y_N_m");
+    EXPECT_EQ(header(), out_of_plane);
     const Trajectory read = read_trajectory_csv(file);
     EXPECT_EQ(numbers_of(read.at(0)), numbers_of(row));
   }
