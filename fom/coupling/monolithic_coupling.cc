@@ -150,7 +150,7 @@ namespace swimtwin
     if (acceleration_)
       acceleration_->forget(1.);
     std::vector<double> unknowns      = predict(step, configuration, rates);
-    double              change_before = 0.;
+    double              change_before = 0., contraction_before = 0.;
     for (int iteration = 1; iteration <= numerics_.max_coupling_iterations; ++iteration)
     {
       {
@@ -178,10 +178,11 @@ namespace swimtwin
       if (!(change < far_too_far))
         return StepOutcome::coupling_diverged;
       // What is left to correct is estimated from the iteration's contraction: measured in this step, or, for the first
-      // iteration, in a recent one.
-      const double left_over = acceleration_    ? change
-                               : iteration == 1 ? expected_contraction(change, step) * change
-                                                : change * change / change_before;
+      // iteration, in a recent one. The worse of the last two: a thin tail far from its equilibrium is bent and
+      // stretched in turn, and a small change comes between two large ones.
+      const double contraction = iteration == 1 ? expected_contraction(change, step) : change / change_before;
+      const double left_over   = acceleration_ ? change : std::max(contraction, contraction_before) * change;
+      contraction_before       = iteration == 1 ? 0. : contraction;
       if (left_over <= numerics_.coupling_tolerance)
       {
         if (swimmer_.has_tail() && swimmer_.elasticity().is_inverted(configuration.shape))
