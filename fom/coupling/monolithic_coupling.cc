@@ -213,6 +213,8 @@ namespace swimtwin
   {
     // Partly Picard's iteration, partly Newton's, whose contraction grows with the correction. With inertia it grows
     // with the step, too, by how much nobody knows: what a shorter one measured does not count.
+    if (!fluid_ && !swimmer_.inertia().any()) // nothing damps the tail, whose next change may be of another kind
+      return 1.;
     constexpr int    valid_for_steps = 10;
     constexpr double safety          = 3.;
     const auto      &measured        = contraction_;
