@@ -178,11 +178,11 @@ namespace swimtwin
       if (!(change < far_too_far))
         return StepOutcome::coupling_diverged;
       // What is left to correct is estimated from the iteration's contraction: measured in this step, or, for the first
-      // iteration, in a recent one. The worse of the last two: a thin tail far from its equilibrium is bent and
-      // stretched in turn, and a small change comes between two large ones.
+      // iteration, in a recent one. In vacuum the worse of the last two: a thin tail far from its equilibrium is bent
+      // and stretched in turn, and a small change comes between two large ones. A fluid damps that.
       const double contraction = iteration == 1 ? expected_contraction(change, step) : change / change_before;
       const double left_over   = acceleration_ ? change : std::max(contraction, contraction_before) * change;
-      contraction_before       = iteration == 1 ? 0. : contraction;
+      contraction_before       = fluid_ || iteration == 1 ? 0. : contraction;
       if (left_over <= numerics_.coupling_tolerance)
       {
         if (swimmer_.has_tail() && swimmer_.elasticity().is_inverted(configuration.shape))
