@@ -69,14 +69,18 @@ namespace swimtwin
     return turned(angle_rad(periods), carrier.field->value_T(periods, carrier.parameters));
   }
 
-  double SteeringPlan::largest_field_T() const
+  double largest_T(const Drive &drive)
   {
     constexpr int n_samples = 400;
     double        largest   = 0.;
     for (int i = 0; i < n_samples; ++i)
-      largest =
-          std::max(largest, carrier.field->value_T(static_cast<double>(i) / n_samples, carrier.parameters).norm());
+      largest = std::max(largest, drive.field->value_T(static_cast<double>(i) / n_samples, drive.parameters).norm());
     return largest;
+  }
+
+  double SteeringPlan::largest_field_T() const
+  {
+    return largest_T(carrier);
   }
 
   SteeredField::SteeredField(const SteeringPlan &plan, const double start, const double length)

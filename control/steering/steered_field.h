@@ -5,6 +5,9 @@
 
 namespace swimtwin
 {
+  /// The largest |B| of a periodic drive, T.
+  double largest_T(const Drive &drive);
+
   /// The angles of a swim: coefficients (rad) of a cubic B-spline on uniform knots, the first at the start of the swim.
   struct SteeringPlan
   {

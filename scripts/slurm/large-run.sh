@@ -12,14 +12,7 @@
 #SBATCH --mem-per-cpu=2G
 #SBATCH --time=12:00:00
 set -eu
-scene=$1
-output=$2
-shift 2
-settings=()
-for entry in "$@"; do settings+=(--set "$entry"); done
+. "${SWIMTWIN_ROOT:-$SLURM_SUBMIT_DIR}/scripts/slurm/simulate.sh"
 
-root=${SWIMTWIN_ROOT:-$SLURM_SUBMIT_DIR}
-. "$root/scripts/environment.sh"
-again=()
-if [ -e "$output/checkpoint.h5" ]; then again=(--resume); fi
-exec srun --mpi=pmix "$root/build/release/swimtwin" simulate "$scene" "${settings[@]}" --output "$output" --quiet "${again[@]}"
+launcher=(srun --mpi=pmix)
+simulate "$2" "$1" "${@:3}"

@@ -11,20 +11,10 @@
 #SBATCH --mem=2G
 #SBATCH --time=02:00:00
 set -eu
+. "${SWIMTWIN_ROOT:-$SLURM_SUBMIT_DIR}/scripts/slurm/simulate.sh"
+
 frequencies_Hz=(0.1 0.2 0.4 0.6 0.8 1.1 1.7 3.0)
-
-scene=$1
-output=$2
-shift 2
-settings=()
-for entry in "$@"; do settings+=(--set "$entry"); done
-
-root=${SWIMTWIN_ROOT:-$SLURM_SUBMIT_DIR}
-. "$root/scripts/environment.sh"
 frequency=${frequencies_Hz[$SLURM_ARRAY_TASK_ID]}
-folder=$output/f-$frequency
+folder=$2/f-$frequency
 if [ -e "$folder/summary.json" ]; then exit 0; fi
-again=()
-if [ -e "$folder/checkpoint.h5" ]; then again=(--resume); fi
-exec "$root/build/release/swimtwin" simulate "$scene" --set field.frequency_Hz="$frequency" "${settings[@]}" \
-  --output "$folder" --quiet "${again[@]}"
+simulate "$folder" "$1" field.frequency_Hz="$frequency" "${@:3}"

@@ -1,3 +1,4 @@
+#include <control/steering/steered_field.h>
 #include <datasets/files/json_entries.h>
 #include <twin/stream/records.h>
 

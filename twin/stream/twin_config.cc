@@ -1,4 +1,5 @@
 #include <control/goal/goal_entries.h>
+#include <control/steering/steered_field.h>
 #include <datasets/observation/calibration_result.h>
 #include <datasets/scene/scene.h>
 #include <datasets/system/error.h>
@@ -6,7 +7,6 @@
 #include <datasets/text/toml_table.h>
 #include <twin/motion/carried_densities.h>
 #include <twin/stream/twin_config.h>
-#include <twin/telling/carrier_change.h>
 
 #include <fmt/format.h>
 

@@ -1,7 +1,5 @@
 #include <twin/telling/carrier_change.h>
 
-#include <algorithm>
-
 namespace swimtwin
 {
   namespace
@@ -46,14 +44,5 @@ namespace swimtwin
                                                                                       : 1.;
     result.frequency_Hz *= change.frequency_times;
     return result;
-  }
-
-  double largest_T(const Drive &drive)
-  {
-    constexpr int n_phases = 96;
-    double        largest  = 0.;
-    for (int i = 0; i < n_phases; ++i)
-      largest = std::max(largest, drive.field->value_T(static_cast<double>(i) / n_phases, drive.parameters).norm());
-    return largest;
   }
 } // namespace swimtwin

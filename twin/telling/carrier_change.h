@@ -15,6 +15,4 @@ namespace swimtwin
   Drive changed(const Drive &drive, const FieldChange &change);
   /// Its field turned by an angle; parameters as before.
   Drive turned(const Drive &drive, double angle_rad);
-  /// The largest |B| over a period, T.
-  double largest_T(const Drive &drive);
 } // namespace swimtwin

@@ -19,8 +19,7 @@ namespace swimtwin
   } // namespace
 
   FieldTrial::FieldTrial(const ReducedModel &model, const TwinOptions &options)
-      : options_(options), swimmer_(model, options.densities), axis_(model.tail),
-        layout_(options.parameters, swimmer_.n_states()),
+      : swimmer_(model, options.densities), axis_(model.tail), layout_(options.parameters, swimmer_.n_states()),
         process_(swimmer_, options.nominal, layout_, field_, options.noise, options.largest_step_s),
         camera_(process_, axis_, options.first_sigmas), algebra_(process_.n_states(), process_.n_noises())
   {

@@ -32,7 +32,6 @@ namespace swimtwin
     bool                  take_in_frame(double time_s);
     std::optional<double> mean_speed(double frequency_Hz, double duration_s);
 
-    TwinOptions           options_;
     ReducedSwimmer        swimmer_;
     TailAxis              axis_;
     FieldSignal           field_;

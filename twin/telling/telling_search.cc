@@ -1,3 +1,4 @@
+#include <control/steering/steered_field.h>
 #include <twin/steering/coil_limiter.h>
 #include <twin/telling/telling_search.h>
 
@@ -53,7 +54,7 @@ namespace swimtwin
   {
     constexpr int     n_phases = 96, n_angles = 24;
     const CoilLimiter coils(options_.coils);
-    double            use = swimtwin::largest_T(drive) / options_.largest_T;
+    double            use = largest_T(drive) / options_.largest_T;
     for (int i = 0; i < n_phases; ++i)
     {
       const Eigen::Vector2d b    = drive.field->value_T(static_cast<double>(i) / n_phases, drive.parameters),

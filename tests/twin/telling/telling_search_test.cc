@@ -1,4 +1,5 @@
 #include <tests/twin/run/imagined_stream.h>
+#include <control/steering/steered_field.h>
 #include <twin/telling/telling_search.h>
 
 #include <gtest/gtest.h>
