@@ -131,8 +131,8 @@ namespace swimtwin
     const WrittenFiles &twin()
     {
       static const WrittenFiles files{"twin",
-                                      {twin_table_name, twin_summary_name, alarms_name, proposals_name, steering_name,
-                                       twin_state_name, "twin-journal-[0-9]*.jsonl"},
+                                      {twin_table_name, twin_log_name, twin_summary_name, alarms_name, proposals_name,
+                                       steering_name, twin_state_name, "twin-journal-[0-9]*.jsonl"},
                                       "",
                                       twin_summary_name};
       return files;

@@ -3,13 +3,19 @@
 
 namespace swimtwin
 {
+  std::map<std::string, std::string> provenance_texts(const Provenance &provenance)
+  {
+    return {{"program_version", provenance.program_version},
+            {"command_line", provenance.command_line},
+            {"scene_text", provenance.scene_text},
+            {"scene_hash", provenance.scene_hash},
+            {"created", provenance.created}};
+  }
+
   void write_provenance(Hdf5Writer &writer, const Provenance &provenance)
   {
-    writer.write_attribute("/", "program_version", provenance.program_version);
-    writer.write_attribute("/", "command_line", provenance.command_line);
-    writer.write_attribute("/", "scene_text", provenance.scene_text);
-    writer.write_attribute("/", "scene_hash", provenance.scene_hash);
-    writer.write_attribute("/", "created", provenance.created);
+    for (const auto &[name, text] : provenance_texts(provenance))
+      writer.write_attribute("/", name, text);
     writer.write_attribute("/", "wall_time_s", provenance.wall_time_s);
   }
 } // namespace swimtwin

@@ -1,5 +1,6 @@
 #include <datasets/system/error.h>
 #include <tests/pipeline/child_process.h>
+#include <tests/twin/run/log_check.h>
 #include <tests/twin/steering/steered_lab.h>
 #include <twin/lab/lab_link.h>
 #include <twin/stream/local_socket.h>
@@ -192,6 +193,7 @@ namespace swimtwin
     EXPECT_EQ(summary["counts"]["errors"], 0);
     EXPECT_EQ(summary["goal"]["phase"], "following");
     expect_nothing_forgotten(rows_of(results / "twin.csv"));
+    expect_log_as_table(results / "twin.h5", results / "twin.csv");
     expect_decisions(rows_of(results / "steering.csv"), steered.lab.duration_s, n_kills);
 
     steered.answers.push_back({{"type", "path"},

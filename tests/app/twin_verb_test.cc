@@ -3,6 +3,7 @@
 #include <tests/app/tool_in_process.h>
 #include <tests/datasets/temporary_folder.h>
 #include <tests/places.h>
+#include <tests/twin/run/log_check.h>
 
 #include <fstream>
 #include <sstream>
@@ -53,6 +54,7 @@ namespace swimtwin
     expect_all_declared(results, written_by::twin().patterns);
     const std::string table = content(results / "twin.csv");
     EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 121);
+    expect_log_as_table(results / "twin.h5", results / "twin.csv");
     EXPECT_FALSE(fs::exists(results / "twin-state.json"));
   }
 
@@ -75,6 +77,7 @@ namespace swimtwin
     const Outcome resumed = run({"twin", model, config, "--replay", recording, "--output", killed, "--resume"});
     ASSERT_EQ(resumed.code, 0) << resumed.errors;
     EXPECT_EQ(content(killed / "twin.csv"), whole);
+    expect_log_as_table(killed / "twin.h5", killed / "twin.csv");
   }
 
   TEST_F(TwinVerbTest, ReplaysTracksAsCalibrateReadsThem)

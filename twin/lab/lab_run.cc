@@ -70,7 +70,7 @@ namespace swimtwin
           if (!deliver_until(lab_.now_s()))
             return;
         }
-        deliver_until(infinity);
+        deliver_until(std::numeric_limits<double>::infinity());
       }
 
     private:

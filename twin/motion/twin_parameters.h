@@ -35,6 +35,8 @@ namespace swimtwin
       "camera_offset_x_m",
       "camera_offset_y_m",
       "camera_delay_s"};
+  inline constexpr std::array<const char *, n_twin_parameters> twin_parameter_units = {
+      "1", "1", "T", "T", "m/s", "m/s", "1", "rad", "m", "m", "s"};
 
   /// A random walk from a first value; a standard deviation of 0 fixes it.
   struct DriftingParameter

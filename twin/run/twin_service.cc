@@ -27,7 +27,7 @@ namespace swimtwin
     {
     public:
       Service(const ReducedModel &model, const TwinConfig &config, const ServiceOptions &options)
-          : config_(config), options_(options), folder_(options.folder, options.fingerprint),
+          : config_(config), options_(options), folder_(options.folder, options.fingerprint, options.provenance),
             session_(model, config,
                      {[this](const std::string &line) { say_line(line); },
                       [this](const EstimateRecord &record) { note(record); },
@@ -61,8 +61,7 @@ namespace swimtwin
         else
           replay();
         session_.finish();
-        folder_.write_summary(session_, options_.provenance);
-        folder_.close();
+        folder_.finish(session_);
       }
 
     private:

@@ -83,17 +83,21 @@ namespace swimtwin
       if (!twin.layout().is_estimated(p))
         continue;
       const double value = belief.mean[twin.layout().place(p)], sd = belief.standard_deviation(twin.layout().place(p));
-      const auto   ratio = [&](const char *name, const double start) {
-        list.push_back({name, start * std::exp(value), start * std::exp(value) * sd});
+      const auto   ratio = [&](const char *name, const char *units, const double start) {
+        list.push_back({name, units, start * std::exp(value), start * std::exp(value) * sd});
       };
       if (p == TwinParameter::stiffness)
-        ratio("young_modulus_over_viscosity_1_s", nominal.young_modulus_Pa / nominal.viscosity_Pa_s);
+        ratio("young_modulus_over_viscosity_1_s", "1/s", nominal.young_modulus_Pa / nominal.viscosity_Pa_s);
       else if (p == TwinParameter::magnetization)
-        ratio("magnetization_over_viscosity_A_m_Pa_s", nominal.magnetization_A_m / nominal.viscosity_Pa_s);
+        ratio("magnetization_over_viscosity_A_m_Pa_s", "A/(m Pa s)",
+              nominal.magnetization_A_m / nominal.viscosity_Pa_s);
       else if (p == TwinParameter::camera_scale)
-        ratio("camera_scale", 1.);
+        ratio("camera_scale", "1", 1.);
       else
-        list.push_back({twin_parameter_names[static_cast<std::size_t>(i)], value, sd});
+      {
+        const auto place = static_cast<std::size_t>(i);
+        list.push_back({twin_parameter_names[place], twin_parameter_units[place], value, sd});
+      }
     }
     return list;
   }

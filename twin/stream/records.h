@@ -34,6 +34,7 @@ namespace swimtwin
   struct NamedParameter
   {
     std::string name; ///< with its unit
+    std::string units;
     double      value = 0., standard_deviation = 0.;
   };
   std::vector<NamedParameter> named_parameters(const SwimmerTwin &twin, const Belief &belief);

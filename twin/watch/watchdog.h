@@ -6,12 +6,17 @@
 #include <twin/estimate/swimmer_twin.h>
 #include <twin/watch/watch_options.h>
 
+#include <array>
 #include <deque>
 #include <string>
 #include <vector>
 
 namespace swimtwin
 {
+  /// Alarms that last, as flags name them; "searching-delay" is of the session.
+  inline constexpr std::array<const char *, 7> watch_flags = {
+      "inconsistent", "outside-trained-region", "near-wall", "step-out", "frozen", "sight-lost", "searching-delay"};
+
   struct Alarm
   {
     std::string name; ///< "sight-lost", "inconsistent", ...
