@@ -1,6 +1,5 @@
 #include <datasets/files/hdf5_open.h>
 #include <datasets/files/hdf5_table.h>
-#include <datasets/files/input_file.h>
 #include <datasets/system/error.h>
 
 #include <fmt/format.h>
@@ -8,6 +7,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <system_error>
 
 namespace swimtwin
 {
@@ -15,12 +15,14 @@ namespace swimtwin
   {
     constexpr hsize_t rows_per_chunk = 1024; // 8 kB
 
-    /// Single writer and multiple readers need the format of HDF5 1.10.
+    /// One writer beside many readers needs the format of HDF5 1.10, and no lock: readers hold one as long as they have
+    /// the file open, and rows would wait for them.
     Hdf5Handle make_access()
     {
       silence_hdf5();
       Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
       H5Pset_libver_bounds(access.id(), H5F_LIBVER_V110, H5F_LIBVER_LATEST);
+      H5Pset_file_locking(access.id(), false, true);
       return access;
     }
 
@@ -67,6 +69,8 @@ namespace swimtwin
   {
     const Hdf5Handle access = make_access(), links(H5Pcreate(H5P_LINK_CREATE), H5Pclose),
                      layout(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    std::error_code ignored; // a file of old stays whole for those that have it open
+    std::filesystem::remove(file, ignored);
     const Hdf5Handle whole(done(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), file), H5Fclose);
     for (const auto &[name, text] : attributes)
       write_attribute(whole.id(), name, text, file);
@@ -108,18 +112,13 @@ namespace swimtwin
     return Hdf5Table(file, std::move(columns), n_rows);
   }
 
-  bool Hdf5Table::append(const std::span<const std::vector<double>> rows)
+  void Hdf5Table::append(const std::span<const std::vector<double>> rows)
   {
     if (rows.empty())
-      return true;
-    const Hdf5Handle access = make_access();
-    const Hdf5Handle whole(H5Fopen(file_.c_str(), H5F_ACC_RDWR | H5F_ACC_SWMR_WRITE, access.id()), H5Fclose);
-    if (whole.id() < 0)
-    {
-      if (is_held(file_))
-        return false;
-      done(whole.id(), file_);
-    }
+      return;
+    const Hdf5Handle    access = make_access();
+    const Hdf5Handle    whole(done(H5Fopen(file_.c_str(), H5F_ACC_RDWR | H5F_ACC_SWMR_WRITE, access.id()), file_),
+                              H5Fclose);
     const hsize_t       first = n_rows_, n = rows.size(), total = first + n;
     const Hdf5Handle    memory(H5Screate_simple(1, &n, nullptr), H5Sclose);
     std::vector<double> values(rows.size());
@@ -134,6 +133,5 @@ namespace swimtwin
     }
     done(H5Fflush(whole.id(), H5F_SCOPE_LOCAL), file_);
     n_rows_ = total;
-    return true;
   }
 } // namespace swimtwin

@@ -14,9 +14,9 @@ namespace swimtwin
     ArrayMeaning meaning;
   };
 
-  /// One dataset of numbers per column, NaN where nothing is known. Between two appends the file is closed, and any
-  /// program may read it; while rows are appended, and after a kill in the middle of that, those may that open it as
-  /// one of many readers beside a single writer ("swmr").
+  /// One dataset of numbers per column, NaN where nothing is known. Any program may read the file at any time, and hold
+  /// it open: between two appends it is closed; while rows are appended (milliseconds), and after a kill in the middle
+  /// of that, it takes those that open it as one of many readers beside a single writer ("swmr").
   class Hdf5Table
   {
   public:
@@ -28,9 +28,8 @@ namespace swimtwin
     static std::optional<Hdf5Table> reopen(const std::filesystem::path &file, std::vector<TableColumn> columns,
                                            std::size_t n_rows);
 
-    /// Rows hold a number for each column. False if they are not written because another program holds the file. Throws
-    /// ComputationError that names the file for everything else.
-    bool append(std::span<const std::vector<double>> rows);
+    /// Rows hold a number for each column. Throws ComputationError that names the file.
+    void append(std::span<const std::vector<double>> rows);
 
     std::size_t n_rows() const { return n_rows_; }
 

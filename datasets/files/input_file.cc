@@ -170,16 +170,6 @@ namespace swimtwin
         letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
       return words;
     }
-
-    bool is_refused(const fs::path &file, const int lock)
-    {
-      const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
-      if (descriptor < 0)
-        return false;
-      const bool locked_by_another = ::flock(descriptor, lock | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-      ::close(descriptor);
-      return locked_by_another;
-    }
   } // namespace
 
   void refuse_file(const fs::path &file, const std::string &what, const std::string &cause)
@@ -242,12 +232,12 @@ namespace swimtwin
 
   bool is_locked(const fs::path &file)
   {
-    return is_refused(file, LOCK_SH);
-  }
-
-  bool is_held(const fs::path &file)
-  {
-    return is_refused(file, LOCK_EX);
+    const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0)
+      return false;
+    const bool locked_by_another = ::flock(descriptor, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    ::close(descriptor);
+    return locked_by_another;
   }
 
   void require_folder(const fs::path &folder, const std::string &remedy)

@@ -30,10 +30,8 @@ namespace swimtwin
   inline constexpr const char *locked_by_another_program =
       "it is locked by another program, which has it open to write; wait until that has ended, or close the file there";
 
-  /// Whether another process has locked the whole file to write it.
+  /// Whether another process holds a lock on the whole file.
   bool is_locked(const std::filesystem::path &file);
-  /// The same, or to read it, so that one cannot write.
-  bool is_held(const std::filesystem::path &file);
 
   /// Throws InputError that says why a folder cannot be looked into: missing, a file, no permission.
   void require_folder(const std::filesystem::path &folder, const std::string &remedy);

@@ -185,7 +185,7 @@ namespace swimtwin
 
   void TwinFolder::finish(const TwinSession &session)
   {
-    log_->finish();
+    log_->write();
     write_summary(session);
     journal_ = {};
     std::error_code ignored;

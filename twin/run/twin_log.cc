@@ -115,20 +115,12 @@ namespace swimtwin
     std::transform(waiting_.begin(), waiting_.end(), rows.begin(), [&](const auto &row) { return numbers_of(row); });
     try
     {
-      if (table_->append(rows))
-        waiting_.clear();
+      table_->append(rows);
+      waiting_.clear();
     }
     catch (const ComputationError &error)
     {
       give_up(error.what());
     }
-  }
-
-  void TwinLog::finish()
-  {
-    write();
-    if (!waiting_.empty())
-      give_up(fmt::format("{} lacks the last {} rows, since another program has it open.", file_.string(),
-                          waiting_.size()));
   }
 } // namespace swimtwin

@@ -11,8 +11,8 @@
 namespace swimtwin
 {
   /// A dataset for each column of numbers, and for each flag one of 0 and 1. Rows are added as lines of twin.csv and
-  /// written in blocks; while another program holds the file they wait. twin.csv is the one that must be whole: if this
-  /// one cannot be written, a warning says so and the twin goes on.
+  /// written in blocks. twin.csv is the one that must be whole: if this one cannot be written, a warning says so and
+  /// the twin goes on.
   class TwinLog
   {
   public:
@@ -24,8 +24,6 @@ namespace swimtwin
     void resume(const std::filesystem::path &csv, long n_rows, const Provenance &provenance);
     void add(const std::string &row) { waiting_.push_back(row); }
     void write();
-    /// Write, and warn if rows still wait.
-    void finish();
 
   private:
     std::vector<double> numbers_of(const std::string &row) const;

@@ -51,7 +51,7 @@ namespace swimtwin
     add(log, 0, 30);
     log.write();
     add(log, 30, 7);
-    log.finish();
+    log.write();
     expect_log_as_table(file, csv);
     const Hdf5Reader reader(file);
     EXPECT_EQ(reader.read_vector("/flag_step-out").at(5), 1.);
@@ -70,7 +70,7 @@ namespace swimtwin
     ahead.resume(csv, 20, provenance);
     for (int i = 20; i < 30; ++i)
       ahead.add(row(i));
-    ahead.finish();
+    ahead.write();
     expect_log_as_table(file, csv);
     // It has fewer, or it is no table, or it is gone: the rows come from the other table.
     TwinLog unwritten(file, columns), behind(file, columns);
@@ -78,7 +78,7 @@ namespace swimtwin
     behind.resume(csv, 35, provenance);
     for (int i = 35; i < 40; ++i)
       behind.add(row(i));
-    behind.finish();
+    behind.write();
     expect_log_as_table(file, csv);
     for (const bool is_there : {true, false})
     {
@@ -87,7 +87,7 @@ namespace swimtwin
         std::ofstream(file) << "no HDF5";
       TwinLog anew(file, columns);
       anew.resume(csv, 40, provenance);
-      anew.finish();
+      anew.write();
       expect_log_as_table(file, csv);
     }
   }
@@ -99,6 +99,5 @@ namespace swimtwin
     log.begin(provenance);
     add(log, 0, 10);
     log.write();
-    log.finish();
   }
 } // namespace swimtwin
