@@ -162,6 +162,10 @@ namespace swimtwin
           {
             session_.greet();
             converse(server_->client());
+            if (server_->n_lost() > 0)
+              warn(fmt::format("the client did not take {} lines of the answer within {} s; read them, in a thread of "
+                               "its own if need be.",
+                               server_->n_lost(), LocalServer::patience.count() / 1000));
             if (!session_.has_ended())
               server_->drop_client();
           }

@@ -19,6 +19,9 @@ namespace swimtwin
     if (client_ >= 0)
       ::close(client_);
     client_ = -1;
+    rest_.clear();
+    is_deaf_ = false;
+    n_lost_  = 0;
   }
 
   bool LocalServer::accept_client(const int timeout_ms)
@@ -34,16 +37,38 @@ namespace swimtwin
     return true;
   }
 
-  void LocalServer::send(std::string_view text)
+  /// How much of it was taken; of one that went away, all.
+  std::size_t LocalServer::send_part(const std::string_view text, const std::chrono::milliseconds wait)
   {
-    while (client_ >= 0 && !text.empty())
+    std::size_t n_taken = 0;
+    while (n_taken < text.size())
     {
-      const ssize_t n = ::send(client_, text.data(), text.size(), MSG_NOSIGNAL);
-      if (n < 0 && errno == EINTR)
-        continue;
-      if (n <= 0)
-        return;
-      text.remove_prefix(static_cast<std::size_t>(n));
+      const ssize_t n = ::send(client_, text.data() + n_taken, text.size() - n_taken, MSG_NOSIGNAL | MSG_DONTWAIT);
+      pollfd        wanted{client_, POLLOUT, 0};
+      if (n >= 0)
+        n_taken += static_cast<std::size_t>(n);
+      else if (errno == EAGAIN || errno == EWOULDBLOCK)
+      {
+        if (::poll(&wanted, 1, static_cast<int>(wait.count())) == 0)
+          return n_taken;
+      }
+      else if (errno != EINTR)
+        return text.size();
     }
+    return n_taken;
+  }
+
+  void LocalServer::send(const std::string_view line)
+  {
+    if (client_ < 0)
+      return;
+    const auto wait = is_deaf_ ? std::chrono::milliseconds(0) : patience;
+    rest_.erase(0, send_part(rest_, wait));
+    const std::size_t n_taken = rest_.empty() ? send_part(line, wait) : 0;
+    is_deaf_                  = n_taken < line.size();
+    if (n_taken > 0)
+      rest_ = line.substr(n_taken);
+    else
+      ++n_lost_;
   }
 } // namespace swimtwin

@@ -3,6 +3,8 @@
 
 #include <twin/stream/local_socket.h>
 
+#include <chrono>
+#include <string>
 #include <string_view>
 
 namespace swimtwin
@@ -21,11 +23,21 @@ namespace swimtwin
     bool accept_client(int timeout_ms);
     int  client() const { return client_; }
     void drop_client();
-    /// What a client does not take, because it went away, is lost.
-    void send(std::string_view text);
+    /// A line with its line break. It is lost if the client went away, or has taken nothing for `patience`, until it
+    /// takes something again.
+    void send(std::string_view line);
+    /// Lines that the present client did not take in time.
+    long n_lost() const { return n_lost_; }
+
+    static constexpr std::chrono::milliseconds patience{1000};
 
   private:
+    std::size_t send_part(std::string_view text, std::chrono::milliseconds wait);
+
     ListeningSocket socket_;
     int             client_ = -1;
+    std::string     rest_; ///< of a line that the client has taken a part of
+    bool            is_deaf_ = false;
+    long            n_lost_  = 0;
   };
 } // namespace swimtwin
