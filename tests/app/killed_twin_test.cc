@@ -204,7 +204,7 @@ namespace swimtwin
                                        static_cast<double>(distances.size()));
     std::printf("%d kills: mean position %.3f %% of a body length off its path (rms)\n", n_kills,
                 100. * rms / body_length_m);
-    // Each begins the carrier anew, which moves the mean position by no more than the head's own swing (16 %).
-    EXPECT_LE(rms, 0.16 * body_length_m);
+    // One that begins the carrier anew each time is 7 % off: the head swings by 16 %.
+    EXPECT_LE(rms, 0.016 * body_length_m);
   }
 } // namespace swimtwin

@@ -58,6 +58,7 @@ namespace swimtwin
     visit("angle_rad", v.angle_rad);
     visit("ends_s", v.ends_s);
     visit("arc_m", v.arc_m);
+    visit("origin_s", v.origin_s);
   }
 
   /// Everything that a session remembers, in plain numbers.

@@ -40,13 +40,15 @@ namespace swimtwin
     return phase_ == SteeringPhase::arrived || phase_ == SteeringPhase::ended;
   }
 
-  /// Straight ahead as the swimmer points now, until something better is decided.
+  /// Straight ahead as the swimmer points now, until something better is decided. A carrier that was interrupted goes
+  /// on in its phase, so that a short interruption does not shift the swimmer's mean position.
   void Pilot::begin_plan(const RecentMotion &recent, const double now_s)
   {
     const ClosedLoopOptions &options = config_.goal.options;
     const double             knots =
         (options.warm_up_periods + options.max_periods + options.follower.horizon_periods) / plan_.knot_periods;
-    clock_.origin_s = warming_since_s_ = decided_s_ = now_s;
+    clock_.origin_s  = has_path() ? clock_.origin_s + std::floor(clock_.periods(now_s)) / clock_.frequency_Hz : now_s;
+    warming_since_s_ = decided_s_ = now_s;
     plan_.angles_rad =
         Eigen::VectorXd::Constant(static_cast<Eigen::Index>(std::ceil(knots)) + 8, recent.mean_angle_rad());
     phase_ = has_path() ? SteeringPhase::following : SteeringPhase::warming;
@@ -190,23 +192,26 @@ namespace swimtwin
 
   Pilot::Memory Pilot::memory() const
   {
-    Memory memory = laid_;
-    memory.phase  = static_cast<int>(phase_);
-    memory.ends_s = ends_s_;
-    memory.arc_m  = arc_m_;
+    Memory memory   = laid_;
+    memory.phase    = static_cast<int>(phase_);
+    memory.ends_s   = ends_s_;
+    memory.origin_s = clock_.origin_s;
+    memory.arc_m    = arc_m_;
     return memory;
   }
 
-  /// A plan is begun anew: while no program was there the coils went to the safe field.
+  /// A plan is begun anew, in the carrier's phase: while no program was there the coils may have gone to the safe
+  /// field.
   void Pilot::restore(const Memory &memory)
   {
     if (memory.phase < 0 || memory.phase > static_cast<int>(SteeringPhase::ended) || memory.place_m.size() != 2)
       throw InputError("has a pilot's memory that is none");
     if (memory.has_path != 0)
       lay_path(memory.place_m, memory.angle_rad);
-    ends_s_ = memory.ends_s;
-    arc_m_  = memory.arc_m;
-    phase_  = static_cast<SteeringPhase>(memory.phase);
+    ends_s_         = memory.ends_s;
+    arc_m_          = memory.arc_m;
+    clock_.origin_s = memory.origin_s;
+    phase_          = static_cast<SteeringPhase>(memory.phase);
     if (!is_over())
       phase_ = SteeringPhase::blind;
   }

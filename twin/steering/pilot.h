@@ -57,7 +57,7 @@ namespace swimtwin
     const CarrierMotion &motion() const { return motion_; }
 
     /// Whether the carrier plays, along the path or towards its beginning; if so how far it is turned at an instant,
-    /// and since when it plays, phase 0 there.
+    /// and when its phase was 0, at most a period before it began to play.
     bool   plays_carrier() const { return phase_ == SteeringPhase::warming || phase_ == SteeringPhase::following; }
     double carrier_angle_rad(const double time_s) const { return plan_.angle_rad(clock_.periods(time_s)); }
     double carrier_start_s() const { return clock_.origin_s; }
@@ -67,7 +67,8 @@ namespace swimtwin
     {
       int             phase = 0, has_path = 0;
       double          angle_rad = 0., ends_s = 0., arc_m = 0.; ///< of the path; when its time is over; how far along it
-      Eigen::VectorXd place_m = Eigen::VectorXd::Zero(2);      ///< of the path's beginning
+      double          origin_s = 0.;                           ///< of the carrier
+      Eigen::VectorXd place_m  = Eigen::VectorXd::Zero(2);     ///< of the path's beginning
     };
     Memory memory() const;
     void   restore(const Memory &memory);

@@ -152,6 +152,11 @@ namespace swimtwin
       EXPECT_EQ(second.session.twin().field().samples().size(), first.session.twin().field().samples().size());
       second.session.take(R"({"type":"clock","time_s":6.05})");
       EXPECT_EQ(second.session.pilot()->phase(), SteeringPhase::following);
+      // In the carrier's phase: a new beginning of it would shift the mean position by the head's swing.
+      const double periods = (second.session.pilot()->carrier_start_s() - first.session.pilot()->carrier_start_s()) *
+                             steered.config.steering->goal.carrier.frequency_Hz;
+      EXPECT_GT(periods, 0.5);
+      EXPECT_NEAR(periods, std::round(periods), 1e-9);
     }
 
     TEST(Pilot, AnswersEveryClockLineAndRefusesOneThatRunsBack)
