@@ -77,7 +77,8 @@ namespace swimtwin
       rules.require("/tail/followers", r >= 0, fmt::format("has {} followers among {} modes.", s, R));
       rules.require_size("/tail/followers", tail.followers, s, s > 0 ? r * (r + 1) / 2 : tail.followers.cols());
       rules.require_size("/tail/parity", tail.parity, R, 1);
-      rules.require("/tail/parity", (tail.parity.array().abs() == 1).all(), "holds a number that is neither 1 nor -1.");
+      rules.require("/tail/parity", (tail.parity.array() == 1 || tail.parity.array() == -1).all(),
+                    "holds a number that is neither 1 nor -1.");
       rules.require("/tail/tip_nodes",
                     tail.tip_node >= 0 && tail.tip_node < n && tail.before_tip_node >= 0 && tail.before_tip_node < n,
                     fmt::format("names a node that is not in 0 to {}.", n - 1));

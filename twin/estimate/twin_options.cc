@@ -9,22 +9,21 @@ namespace swimtwin
 {
   namespace
   {
-    /// Of the displacement in the held-out runs; a model without any is taken to be 1 % off.
-    double held_out_error(const ReducedModel &model)
-    {
-      const HeldOutError error = displacement_error(model.record);
-      return error.n_runs > 0 ? std::max(1e-3, error.rms) : 0.01;
-    }
-
     /// In a period the model is off by this share of what moves in it: of half a body length's way to and fro, of a
     /// swing of half a radian, of half the trained amplitudes.
     ModelNoise model_noise(const ReducedModel &model, const double length_m, const double period_s)
     {
-      const double share = held_out_error(model) / std::sqrt(period_s);
+      const double share = held_out_displacement_error(model) / std::sqrt(period_s);
       return {0.5 * share * length_m, 0.5 * share,
               0.5 * share * model.resistance.coordinate_scale_m.head(model.n_modes())};
     }
   } // namespace
+
+  double held_out_displacement_error(const ReducedModel &model)
+  {
+    const HeldOutError error = displacement_error(model.record);
+    return error.n_runs > 0 ? std::max(1e-3, error.rms) : 0.01;
+  }
 
   TwinOptions default_twin_options(const ReducedModel &model, const SwimmerParameters &nominal,
                                    const double frequency_Hz)

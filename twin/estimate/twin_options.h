@@ -37,11 +37,14 @@ namespace swimtwin
     InertialDensities densities = {}; ///< inertia that the swimmer carries
     TwinParameters    parameters;
     ModelNoise        noise;
-    FilterOptions     filter;
-    FirstSigmas       first_sigmas;
-    StartBelief       start;
-    JumpOptions       jumps;
-    double            largest_step_s = 1. / 30.;
+    /// Covariance of log(E/mu) and log(M/mu) that the model's own error leaves (see model_bias.h): no part of the
+    /// filter, but of what is said of the parameters.
+    Eigen::Matrix2d ratio_bias = Eigen::Matrix2d::Zero();
+    FilterOptions   filter;
+    FirstSigmas     first_sigmas;
+    StartBelief     start;
+    JumpOptions     jumps;
+    double          largest_step_s = 1. / 30.;
     /// Frames come and none of them could be used for this time: the pose is searched for anew.
     double search_pose_after_s = 0.6;
     /// An unknown delay is searched for with all that was seen in this time.
@@ -50,6 +53,9 @@ namespace swimtwin
     /// The estimated delay may be off the one that instants were made with by this.
     double delay_tolerance_s = 0.003;
   };
+
+  /// Relative, of the displacement in the held-out runs; a model without any is taken to be 1 % off.
+  double held_out_displacement_error(const ReducedModel &model);
 
   /// Sensible sizes for a swimmer in a field of this frequency; everything else is the user's.
   TwinOptions default_twin_options(const ReducedModel &model, const SwimmerParameters &nominal, double frequency_Hz);

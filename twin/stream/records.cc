@@ -83,16 +83,17 @@ namespace swimtwin
       if (!twin.layout().is_estimated(p))
         continue;
       const double value = belief.mean[twin.layout().place(p)], sd = belief.standard_deviation(twin.layout().place(p));
-      const auto   ratio = [&](const char *name, const char *units, const double start) {
-        list.push_back({name, units, start * std::exp(value), start * std::exp(value) * sd});
+      const auto   ratio = [&](const char *name, const char *units, const double start, const double bias) {
+        list.push_back({name, units, start * std::exp(value), start * std::exp(value) * std::sqrt(sd * sd + bias)});
       };
+      const Eigen::Matrix2d &bias = twin.options().ratio_bias;
       if (p == TwinParameter::stiffness)
-        ratio("young_modulus_over_viscosity_1_s", "1/s", nominal.young_modulus_Pa / nominal.viscosity_Pa_s);
+        ratio("young_modulus_over_viscosity_1_s", "1/s", nominal.young_modulus_Pa / nominal.viscosity_Pa_s, bias(0, 0));
       else if (p == TwinParameter::magnetization)
-        ratio("magnetization_over_viscosity_A_m_Pa_s", "A/(m Pa s)",
-              nominal.magnetization_A_m / nominal.viscosity_Pa_s);
+        ratio("magnetization_over_viscosity_A_m_Pa_s", "A/(m Pa s)", nominal.magnetization_A_m / nominal.viscosity_Pa_s,
+              bias(1, 1));
       else if (p == TwinParameter::camera_scale)
-        ratio("camera_scale", "1", 1.);
+        ratio("camera_scale", "1", 1., 0.);
       else
       {
         const auto place = static_cast<std::size_t>(i);

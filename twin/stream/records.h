@@ -30,7 +30,8 @@ namespace swimtwin
     std::vector<std::pair<double, Belief>> instants;
   };
 
-  /// A parameter as people know it: E/mu and M/mu instead of logarithms.
+  /// A parameter as people know it: E/mu and M/mu instead of logarithms; their deviations count what the model's own
+  /// error leaves.
   struct NamedParameter
   {
     std::string name; ///< with its unit

@@ -5,6 +5,7 @@
 #include <datasets/system/error.h>
 #include <datasets/text/text_decoding.h>
 #include <datasets/text/toml_table.h>
+#include <twin/estimate/model_bias.h>
 #include <twin/motion/carried_densities.h>
 #include <twin/stream/twin_config.h>
 
@@ -110,16 +111,42 @@ namespace swimtwin
       table.finish();
     }
 
-    void read_model_error(const TomlDocument &document, const double length_m, ModelNoise &noise)
+    /// What plays, as far as the configuration says; else the scene's field.
+    std::optional<Drive> nominal_drive(const TwinConfig &config, const Scene &scene)
     {
-      double    position = noise.position_m / length_m, shape = 1.;
+      if (config.steering)
+        return config.steering->goal.carrier;
+      if (!config.drive && scene.field.period_s() > 0.)
+        return make_drive(scene.field);
+      return config.drive;
+    }
+
+    void read_model_error(const TomlDocument &document, const ReducedModel &model, const std::optional<Drive> &drive,
+                          TwinOptions &options)
+    {
+      const ReducedSwimmer swimmer(model);
+      const double         length_m = swimmer.length_m();
+      ModelNoise          &noise    = options.noise;
+      double    position = noise.position_m / length_m, shape = 1., displacement = held_out_displacement_error(model);
       TomlTable table(document, "model_error");
       table.number("position_per_root_s", {"body lengths/sqrt(s)", positive}, position);
       table.number("angle_rad_per_root_s", {"rad/sqrt(s)", positive}, noise.angle_rad);
       table.number("shape_factor", {"", positive}, shape);
+      table.number("displacement", {"", not_negative}, displacement);
       table.finish();
       noise.position_m = position * length_m;
       noise.shape_m *= shape;
+      const auto sd = [&](const TwinParameter p) { return options.parameters[p].standard_deviation; };
+      if (!drive)
+        return;
+      try
+      {
+        options.ratio_bias = ratio_bias(swimmer, options.nominal, *drive, displacement,
+                                        {sd(TwinParameter::stiffness), sd(TwinParameter::magnetization)});
+      }
+      catch (const ComputationError &) // no periodic motion: nothing repeats
+      {
+      }
     }
 
     void read_filter(const TomlDocument &document, TwinConfig &config)
@@ -270,7 +297,7 @@ namespace swimtwin
     read_parameters(document, config.options.parameters);
     read_camera(document, config.camera);
     read_start(document, config.options);
-    read_model_error(document, ReducedSwimmer(model).length_m(), config.options.noise);
+    read_model_error(document, model, nominal_drive(config, scene), config.options);
     read_filter(document, config);
     read_watch(document, config);
     config.options.search_pose_after_s = config.watch.sight_lost_s;

@@ -1,3 +1,4 @@
+#include <datasets/system/error.h>
 #include <tests/datasets/temporary_folder.h>
 #include <tests/places.h>
 #include <twin/stream/line_reader.h>

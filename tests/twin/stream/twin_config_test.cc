@@ -30,6 +30,16 @@ namespace swimtwin
       EXPECT_FALSE(config.drive);
     }
 
+    TEST(TwinConfig, ModelsErrorLeavesSomethingOfTheRatiosUnlessItIsToldNotTo)
+    {
+      const ReducedModel    model = open_model();
+      const Eigen::Matrix2d bias  = twin_config(model, plain_twin).options.ratio_bias;
+      EXPECT_GT(bias.diagonal().minCoeff(), 0.);
+      EXPECT_LT(bias.diagonal().maxCoeff(), 0.1 * 0.1); // what was known at the start
+      EXPECT_EQ(twin_config(model, std::string(plain_twin) + "[model_error]\ndisplacement = 0\n").options.ratio_bias,
+                Eigen::Matrix2d::Zero());
+    }
+
     TEST(TwinConfig, RefusesWhatCannotBeInOneSentence)
     {
       const std::pair<std::string, std::string> faults[] = {
@@ -41,6 +51,7 @@ namespace swimtwin
           {"[parameters.camera_delay_s]\nvalue = 5\n", "0 to 2 s"},
           {"[parameters.young_modulus_over_viscosity_log]\nvalue = 9\n", "logarithm"},
           {"[camera.points]\ntip = 1.5\n", "share"},
+          {"[model_error]\ndisplacement = -0.01\n", "not be negative"},
           {"[filter]\nknee = 4\ngate = 3\n", "below knee"},
           {"[output]\nsmoothing_lag_s = 100\n", "window_s"},
           {"[output]\nsave_every = 0\n", "at least 1"},
