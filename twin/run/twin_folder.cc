@@ -30,6 +30,14 @@ namespace swimtwin
           json["path_m"].push_back({point.x(), point.y()});
       return json;
     }
+
+    void take_again(const fs::path &journal, TwinSession &session)
+    {
+      cut_to_whole_lines(journal);
+      std::ifstream lines(journal);
+      for (std::string line; std::getline(lines, line);)
+        session.take_again(line);
+    }
   } // namespace
 
   TwinFolder::TwinFolder(fs::path folder, std::string fingerprint, Provenance provenance)
@@ -109,17 +117,17 @@ namespace swimtwin
       cut_to_whole_lines(folder_ / steering_name);
       steering_ = AppendedFile(folder_ / steering_name);
     }
-    cut_to_whole_lines(journal_file(journal_number_));
-    std::ifstream journal(journal_file(journal_number_));
-    for (std::string line; std::getline(journal, line);)
-      session.take_again(line);
+    // Killed while it saved, it has written the next journal already.
+    for (std::error_code error; fs::exists(journal_file(journal_number_ + 1), error); ++journal_number_)
+      take_again(journal_file(journal_number_), session);
+    take_again(journal_file(journal_number_), session);
     journal_ = AppendedFile(journal_file(journal_number_));
   }
 
   void TwinFolder::note(const TwinSession &session, const EstimateRecord &record)
   {
     const std::string row = estimate_row(session, record);
-    log_->add(row);
+    new_rows_.push_back(row);
     // What the journal leads to again stands there already, but for the last row perhaps.
     if (++n_rows_ > n_rows_in_file_)
     {
@@ -138,18 +146,27 @@ namespace swimtwin
     Json memory = session.memory();
     if (memory.is_null())
       return;
-    log_->write();
-    AppendedFile next(journal_file(journal_number_ + 1));
-    write_text_atomically(folder_ / twin_state_name, Json{{"format", state_format},
-                                                          {"fingerprint", fingerprint_},
-                                                          {"journal", journal_number_ + 1},
-                                                          {"rows", n_rows_},
-                                                          {"session", std::move(memory)}}
-                                                         .dump());
-    journal_ = std::move(next);
-    std::error_code ignored; // it is in nobody's way
-    fs::remove(journal_file(journal_number_), ignored);
-    ++journal_number_;
+    wait_until_saved();
+    journal_   = AppendedFile(journal_file(++journal_number_));
+    Json state = {{"format", state_format},
+                  {"fingerprint", fingerprint_},
+                  {"journal", journal_number_},
+                  {"rows", n_rows_},
+                  {"session", std::move(memory)}};
+    saving_    = std::async(std::launch::async, [this, state = std::move(state), rows = std::move(new_rows_),
+                                              old = journal_file(journal_number_ - 1)] {
+      log_->append(rows);
+      write_text_atomically(folder_ / twin_state_name, state.dump());
+      std::error_code ignored; // it is in nobody's way
+      fs::remove(old, ignored);
+    });
+    new_rows_.clear();
+  }
+
+  void TwinFolder::wait_until_saved()
+  {
+    if (saving_.valid())
+      saving_.get();
   }
 
   void TwinFolder::write_summary(const TwinSession &session) const
@@ -185,7 +202,8 @@ namespace swimtwin
 
   void TwinFolder::finish(const TwinSession &session)
   {
-    log_->write();
+    wait_until_saved();
+    log_->append(new_rows_);
     write_summary(session);
     journal_ = {};
     std::error_code ignored;

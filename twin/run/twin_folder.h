@@ -7,6 +7,7 @@
 #include <twin/run/twin_session.h>
 
 #include <filesystem>
+#include <future>
 #include <string>
 #include <vector>
 
@@ -38,8 +39,10 @@ namespace swimtwin
     void note(const PlayRecord &record);
     void note_alarm(const std::string &line) { alarms_.append_line(line); }
     void note_proposal(const std::string &line) { proposals_.append_line(line); }
-    /// From here on a killed twin goes on.
+    /// From here on a killed twin goes on. Files are written beside what follows, which a slow disk does not hold up;
+    /// what cannot be written is thrown by a later call.
     void save(const TwinSession &session);
+    void wait_until_saved();
     /// The summary is written, and nothing is left to go on with.
     void finish(const TwinSession &session);
 
@@ -47,11 +50,13 @@ namespace swimtwin
     std::filesystem::path journal_file(long number) const;
     void                  write_summary(const TwinSession &session) const;
 
-    std::filesystem::path  folder_;
-    std::string            fingerprint_;
-    Provenance             provenance_;
-    AppendedFile           table_, alarms_, proposals_, steering_, journal_;
-    std::optional<TwinLog> log_; ///< once it is begun
-    long                   journal_number_ = 0, n_rows_ = 0, n_rows_in_file_ = 0;
+    std::filesystem::path    folder_;
+    std::string              fingerprint_;
+    Provenance               provenance_;
+    AppendedFile             table_, alarms_, proposals_, steering_, journal_;
+    std::optional<TwinLog>   log_;      ///< once it is begun
+    std::vector<std::string> new_rows_; ///< that it lacks
+    std::future<void>        saving_;
+    long                     journal_number_ = 0, n_rows_ = 0, n_rows_in_file_ = 0;
   };
 } // namespace swimtwin

@@ -69,7 +69,6 @@ namespace swimtwin
   void TwinLog::give_up(const std::string &why)
   {
     table_.reset();
-    waiting_.clear();
     warn(fmt::format("{} The twin goes on without it; twin.csv has every row.", why));
   }
 
@@ -91,32 +90,31 @@ namespace swimtwin
     if (table_)
       return;
     begin(provenance);
-    constexpr std::size_t block = 4096;
-    std::ifstream         rows(csv);
-    std::string           line;
-    std::getline(rows, line); // the header
-    for (long i = 0; i < n_rows && std::getline(rows, line); ++i)
+    constexpr std::size_t    block = 4096;
+    std::ifstream            in(csv);
+    std::vector<std::string> rows;
+    std::string              line;
+    std::getline(in, line); // the header
+    for (long i = 0; i < n_rows && std::getline(in, line); ++i)
     {
-      add(line);
-      if (waiting_.size() == block)
-        write();
+      rows.push_back(line);
+      if (rows.size() < block)
+        continue;
+      append(rows);
+      rows.clear();
     }
-    write();
+    append(rows);
   }
 
-  void TwinLog::write()
+  void TwinLog::append(const std::span<const std::string> rows)
   {
     if (!table_)
-    {
-      waiting_.clear();
       return;
-    }
-    std::vector<std::vector<double>> rows(waiting_.size());
-    std::transform(waiting_.begin(), waiting_.end(), rows.begin(), [&](const auto &row) { return numbers_of(row); });
+    std::vector<std::vector<double>> numbers(rows.size());
+    std::transform(rows.begin(), rows.end(), numbers.begin(), [&](const auto &row) { return numbers_of(row); });
     try
     {
-      table_->append(rows);
-      waiting_.clear();
+      table_->append(numbers);
     }
     catch (const ComputationError &error)
     {

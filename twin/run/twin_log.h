@@ -5,13 +5,15 @@
 #include <datasets/system/provenance.h>
 
 #include <filesystem>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace swimtwin
 {
-  /// A dataset for each column of numbers, and for each flag one of 0 and 1. Rows are added as lines of twin.csv and
-  /// written in blocks. twin.csv is the one that must be whole: if this one cannot be written, a warning says so and
+  /// A dataset for each column of numbers, and for each flag one of 0 and 1. Rows are lines of twin.csv.
+  /// twin.csv is the one that must be whole: if this one cannot be written, a warning says so and
   /// the twin goes on.
   class TwinLog
   {
@@ -22,8 +24,7 @@ namespace swimtwin
     void begin(const Provenance &provenance);
     /// Behind the first `n_rows` of `csv`, from which the file is written anew if it lacks them.
     void resume(const std::filesystem::path &csv, long n_rows, const Provenance &provenance);
-    void add(const std::string &row) { waiting_.push_back(row); }
-    void write();
+    void append(std::span<const std::string> rows);
 
   private:
     std::vector<double> numbers_of(const std::string &row) const;
@@ -32,6 +33,5 @@ namespace swimtwin
     std::filesystem::path    file_;
     std::vector<TableColumn> columns_;
     std::optional<Hdf5Table> table_; ///< none if it cannot be written
-    std::vector<std::string> waiting_;
   };
 } // namespace swimtwin

@@ -98,7 +98,10 @@ namespace swimtwin
         if (line.starts_with(proposal_line_start))
           folder_.note_proposal(line);
         if (line.starts_with(path_line_start)) // where it lies follows from no line of the journal
+        {
           folder_.save(session_);
+          folder_.wait_until_saved();
+        }
         if (server_)
           server_->send(line + '\n');
         else

@@ -23,18 +23,25 @@ namespace swimtwin
                          i);
     }
 
+    std::vector<std::string> rows_from(const int first, const int n)
+    {
+      std::vector<std::string> rows;
+      for (int i = first; i < first + n; ++i)
+        rows.push_back(row(i));
+      return rows;
+    }
+
     class TwinLogTest : public ::testing::Test
     {
     protected:
       /// As the twin's folder does: the table at once, the log in blocks.
       void add(TwinLog &log, const int first, const int n) const
       {
-        std::ofstream out(csv, std::ios::app);
-        for (int i = first; i < first + n; ++i)
-        {
-          out << row(i) << '\n';
-          log.add(row(i));
-        }
+        std::ofstream                  out(csv, std::ios::app);
+        const std::vector<std::string> rows = rows_from(first, n);
+        for (const std::string &line : rows)
+          out << line << '\n';
+        log.append(rows);
       }
 
       const TemporaryFolder       folder;
@@ -49,9 +56,7 @@ namespace swimtwin
     TwinLog log(file, columns);
     log.begin(provenance);
     add(log, 0, 30);
-    log.write();
     add(log, 30, 7);
-    log.write();
     expect_log_as_table(file, csv);
     const Hdf5Reader reader(file);
     EXPECT_EQ(reader.read_vector("/flag_step-out").at(5), 1.);
@@ -64,21 +69,16 @@ namespace swimtwin
     TwinLog log(file, columns);
     log.begin(provenance);
     add(log, 0, 30);
-    log.write();
     // The state was saved behind 20 rows: the log has more.
     TwinLog ahead(file, columns);
     ahead.resume(csv, 20, provenance);
-    for (int i = 20; i < 30; ++i)
-      ahead.add(row(i));
-    ahead.write();
+    ahead.append(rows_from(20, 10));
     expect_log_as_table(file, csv);
     // It has fewer, or it is no table, or it is gone: the rows come from the other table.
     TwinLog unwritten(file, columns), behind(file, columns);
     add(unwritten, 30, 10);
     behind.resume(csv, 35, provenance);
-    for (int i = 35; i < 40; ++i)
-      behind.add(row(i));
-    behind.write();
+    behind.append(rows_from(35, 5));
     expect_log_as_table(file, csv);
     for (const bool is_there : {true, false})
     {
@@ -87,7 +87,6 @@ namespace swimtwin
         std::ofstream(file) << "no HDF5";
       TwinLog anew(file, columns);
       anew.resume(csv, 40, provenance);
-      anew.write();
       expect_log_as_table(file, csv);
     }
   }
@@ -98,6 +97,5 @@ namespace swimtwin
     TwinLog log(file, columns);
     log.begin(provenance);
     add(log, 0, 10);
-    log.write();
   }
 } // namespace swimtwin
