@@ -59,15 +59,17 @@ namespace swimtwin
     return belief_.root.allFinite();
   }
 
+  /// From the trial's end on: before it the head goes from one swing to another, which is no progress.
   std::optional<double> FieldTrial::mean_speed(const double frequency_Hz, const double duration_s)
   {
-    const double    time_s = std::max(1., std::round(duration_s * frequency_Hz)) / frequency_Hz;
-    const int       n      = std::max(1, static_cast<int>(std::ceil(time_s / frame_interval_s_)));
-    Eigen::VectorXd mean   = now_.mean;
+    const double    start_s = now_s_ + duration_s;
+    const double    time_s  = std::max(1., std::round(duration_s * frequency_Hz)) / frequency_Hz;
+    const int       n       = std::max(1, static_cast<int>(std::ceil(time_s / frame_interval_s_)));
+    Eigen::VectorXd mean    = belief_.mean;
     for (int i = 0; i < n; ++i)
-      if (!process_.advance(now_s_ + time_s * i / n, now_s_ + time_s * (i + 1) / n, mean, transition_, noise_))
+      if (!process_.advance(start_s + time_s * i / n, start_s + time_s * (i + 1) / n, mean, transition_, noise_))
         return std::nullopt;
-    return (mean.head<2>() - now_.mean.head<2>()).norm() / time_s;
+    return (mean.head<2>() - belief_.mean.head<2>()).norm() / time_s;
   }
 
   std::optional<TrialResult> FieldTrial::run(const FieldChange &change, const TwinParameter parameter,

@@ -12,7 +12,7 @@ namespace swimtwin
   struct TrialResult
   {
     double standard_deviation = 0.; ///< of the parameter, at the end
-    double speed_m_s          = 0.; ///< of the head, mean over whole periods, as near to the duration as there are any
+    double speed_m_s          = 0.; ///< of the head after it, mean over whole periods, about as long again
   };
 
   class FieldTrial

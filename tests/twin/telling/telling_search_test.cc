@@ -1,5 +1,6 @@
 #include <tests/twin/run/imagined_stream.h>
 #include <control/steering/steered_field.h>
+#include <twin/estimate/model_bias.h>
 #include <twin/telling/telling_search.h>
 
 #include <gtest/gtest.h>
@@ -32,6 +33,14 @@ namespace swimtwin
       const SwimmerTwin &twin() const { return kept.session.twin(); }
       int                place(const TwinParameter p) const { return twin().layout().place(p); }
     };
+
+    SwimmerParameters believed(const SwimmerTwin &twin)
+    {
+      SwimmerParameters parameters = twin.options().nominal;
+      parameters.young_modulus_Pa *= std::exp(twin.belief().mean[twin.layout().place(TwinParameter::stiffness)]);
+      parameters.magnetization_A_m *= std::exp(twin.belief().mean[twin.layout().place(TwinParameter::magnetization)]);
+      return parameters;
+    }
 
     TellingField search(TellingSearch &telling, const SwimmerTwin &twin)
     {
@@ -78,6 +87,24 @@ namespace swimtwin
                    now  = before.twin().belief().standard_deviation(before.place(p));
       EXPECT_NEAR(foreseen->standard_deviation, then, 0.05 * then);
       EXPECT_LT(then, 0.95 * now);
+    }
+  }
+
+  // Newton's method finds the periodic motion that the trial swims into.
+  TEST(FieldTrial, SpeedIsThatOfThePeriodicMotion)
+  {
+    const Watching watching(10.);
+    FieldTrial     trial(watching.model, watching.config.options);
+    trial.begin(watching.twin(), carrier, 0.);
+    const ReducedSwimmer swimmer(watching.model);
+    for (const FieldChange &change : {FieldChange{}, FieldChange{1., 0.6, 1.3}})
+    {
+      const Drive drive = changed(carrier, change);
+      const auto  found = trial.run(change, TwinParameter::stiffness, 12. / drive.frequency_Hz);
+      ASSERT_TRUE(found.has_value());
+      const PeriodicMotion motion   = periodic_motion(swimmer, believed(watching.twin()), drive);
+      const double         expected = drive.frequency_Hz * motion.displacement_m;
+      EXPECT_NEAR(found->speed_m_s, expected, 0.02 * expected);
     }
   }
 
