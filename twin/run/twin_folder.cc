@@ -117,7 +117,9 @@ namespace swimtwin
       cut_to_whole_lines(folder_ / steering_name);
       steering_ = AppendedFile(folder_ / steering_name);
     }
-    // Killed while it saved, it has written the next journal already.
+    // Killed while it saved, it has the journal before still, or has begun the next one.
+    std::error_code ignored;
+    fs::remove(journal_file(journal_number_ - 1), ignored);
     for (std::error_code error; fs::exists(journal_file(journal_number_ + 1), error); ++journal_number_)
       take_again(journal_file(journal_number_), session);
     take_again(journal_file(journal_number_), session);
