@@ -92,5 +92,12 @@ if len(node.published["estimate"]) != len(frames) or twin.returncode != 0:
 for key, value in (("x_m", last.pose.position.x), ("y_m", last.pose.position.y), ("angle_rad", angle_rad)):
     if abs(float(row[key]) - value) > 1e-9:
         sys.exit(f"{key} = {value}, and {row[key]} in the table")
-fields = node.published["field"]
+fields = list(node.published["field"])
+node.samples = [[1.0, 0.0, 1e-3], [1.1, 1e-3, -1e-3], [1.2, 2e-3, -1e-3]]  # linear in between, held outside
+for now_s, wanted in ((0.9, (0.0, 1e-3)), (1.025, (2.5e-4, 5e-4)), (1.15, (1.5e-3, -1e-3)), (1.3, (2e-3, -1e-3))):
+    node.now_s = now_s
+    node.play()
+    played = node.published["field"][-1].vector
+    if math.hypot(played.x - wanted[0], played.y - wanted[1]) > 1e-10:  # the clock counts nanoseconds
+        sys.exit(f"at {now_s} s ({played.x}, {played.y}) T is played instead of {wanted}")
 print(len(fields) > 0, max((math.hypot(f.vector.x, f.vector.y) for f in fields), default=0.0) > 1e-3)
