@@ -4,7 +4,7 @@
 #include <datasets/reduced/reduced_model.h>
 #include <rom/swimmer/swimmer_parameters.h>
 #include <tests/places.h>
-#include <twin/measurement/camera_sensor.h>
+#include <twin/estimate/twin_model.h>
 
 #include <string>
 
@@ -29,19 +29,25 @@ namespace swimtwin
     return parameters;
   }
 
-  struct OpenSwimmer
+  inline TwinOptions open_options(const ReducedModel &model, const TwinParameters &parameters, const ModelNoise &noise)
   {
-    ReducedModel   model = open_model();
-    ReducedSwimmer swimmer{model};
-    TailAxis       axis{model.tail};
-    FieldSignal    field;
-    TwinLayout     layout;
-    TwinProcess    process;
-    CameraSensor   camera;
+    TwinOptions options;
+    options.nominal      = open_parameters(model);
+    options.parameters   = parameters;
+    options.noise        = noise;
+    options.first_sigmas = {1e-5, 0.02};
+    return options;
+  }
 
+  struct OpenModel
+  {
+    ReducedModel model = open_model();
+  };
+
+  struct OpenSwimmer : OpenModel, TwinModel
+  {
     explicit OpenSwimmer(const TwinParameters &parameters = every_parameter(), const ModelNoise &noise = {})
-        : layout(parameters, swimmer.n_states()),
-          process(swimmer, open_parameters(model), layout, field, noise, 1. / 30.), camera(process, axis, {1e-5, 0.02})
+        : TwinModel(OpenModel::model, open_options(OpenModel::model, parameters, noise))
     {
       field.play_sinusoid(0., 4e-3, 4e-3, 0.8);
     }

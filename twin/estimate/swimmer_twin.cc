@@ -51,38 +51,35 @@ namespace swimtwin
   }
 
   SwimmerTwin::SwimmerTwin(const ReducedModel &model, const TwinOptions &options)
-      : options_(options), swimmer_(model, options.densities), axis_(model.tail),
-        layout_(options.parameters, swimmer_.n_states()),
-        process_(swimmer_, options.nominal, layout_, field_, options.noise, options.largest_step_s),
-        camera_(process_, axis_, options.first_sigmas), filter_(process_, camera_, options.filter),
-        hypotheses_(jump_hypotheses(layout_, swimmer_.length_m()))
+      : options_(options), model_(model, options), filter_(model_.process, model_.camera, options.filter),
+        hypotheses_(jump_hypotheses(model_.layout, model_.swimmer.length_m()))
   {
-    camera_.reference_delay_s = options.parameters[TwinParameter::camera_delay].value;
+    model_.camera.reference_delay_s = options.parameters[TwinParameter::camera_delay].value;
   }
 
   Belief SwimmerTwin::first_belief(const double instant_s, const std::vector<Sighting> &observations) const
   {
-    Eigen::VectorXd mean = Eigen::VectorXd::Zero(layout_.n_states()), sd = mean;
+    Eigen::VectorXd mean = Eigen::VectorXd::Zero(model_.layout.n_states()), sd = mean;
     for (int i = 0; i < n_twin_parameters; ++i)
-      if (const auto p = static_cast<TwinParameter>(i); layout_.is_estimated(p))
+      if (const auto p = static_cast<TwinParameter>(i); model_.layout.is_estimated(p))
       {
-        mean[layout_.place(p)] = options_.parameters[p].value;
-        sd[layout_.place(p)]   = options_.parameters[p].standard_deviation;
+        mean[model_.layout.place(p)] = options_.parameters[p].value;
+        sd[model_.layout.place(p)]   = options_.parameters[p].standard_deviation;
       }
     const StartBelief    &start = options_.start;
-    const Eigen::Vector2d field = field_.value_T(instant_s);
+    const Eigen::Vector2d field = model_.field.value_T(instant_s);
     mean[2]                     = start.angle_rad.value_or(field.norm() > 0. ? std::atan2(field.y(), field.x()) : 0.);
     sd[2]                       = start.angle_sd_rad;
     for (const Sighting &o : observations)
     {
       if (o.kind == head_position)
-        mean.head<2>() = camera_.in_laboratory(o.value, mean);
+        mean.head<2>() = model_.camera.in_laboratory(o.value, mean);
       if (o.kind == head_angle && !start.angle_rad)
-        mean[2] = o.value[0] - layout_.value(TwinParameter::camera_rotation, mean);
+        mean[2] = o.value[0] - model_.layout.value(TwinParameter::camera_rotation, mean);
     }
-    sd.head<2>().setConstant(swimmer_.length_m());
-    sd.segment(3, swimmer_.n_modes()) = start.shape_sd_m;
-    if (const int n = swimmer_.n_velocities(); swimmer_.has_inertia())
+    sd.head<2>().setConstant(model_.swimmer.length_m());
+    sd.segment(3, model_.swimmer.n_modes()) = start.shape_sd_m;
+    if (const int n = model_.swimmer.n_velocities(); model_.swimmer.has_inertia())
       sd.segment(n, n) = sd.head(n) / start.period_s;
     Belief belief = Belief::independent(mean, sd);
     if (kept_parameters_)
@@ -96,7 +93,7 @@ namespace swimtwin
 
   void SwimmerTwin::start(const double stamp_s, const std::vector<Sighting> &observations)
   {
-    const double instant_s = camera_.instant_s(stamp_s);
+    const double instant_s = model_.camera.instant_s(stamp_s);
     filter_.gated_from_s   = instant_s + options_.search_pose_after_s;
     filter_.start(instant_s, first_belief(instant_s, observations),
                   JumpTest(hypotheses_, options_.jumps.interval_s, options_.jumps.n_instants));
@@ -116,7 +113,7 @@ namespace swimtwin
                                             [](const Sighting &o) { return o.kind == head_position; });
       if (!has_position)
         return Insertion::too_old;
-      is_searching_ = layout_.is_estimated(TwinParameter::camera_delay) && !kept_parameters_;
+      is_searching_ = model_.layout.is_estimated(TwinParameter::camera_delay) && !kept_parameters_;
       if (is_searching_)
         start_frames_.push_back({stamp_s, observations});
       start(stamp_s, observations);
@@ -127,7 +124,7 @@ namespace swimtwin
     if (revisit_from_s_ < now_s())
       filter_.revisit(revisit_from_s_);
     revisit_from_s_           = std::numeric_limits<double>::infinity();
-    const Insertion insertion = filter_.add({camera_.instant_s(stamp_s), observations});
+    const Insertion insertion = filter_.add({model_.camera.instant_s(stamp_s), observations});
     if (is_searching_ && now_s() - started_s_ >= options_.delay_search_s)
       search_delay();
     else if (!is_searching_)
@@ -139,12 +136,12 @@ namespace swimtwin
 
   double SwimmerTwin::run_through_start(const double delay_s)
   {
-    camera_.reference_delay_s = delay_s;
+    model_.camera.reference_delay_s = delay_s;
     start(start_frames_.front().time_s, start_frames_.front().observations);
     double log_likelihood = 0.;
     for (std::size_t i = 1; i < start_frames_.size(); ++i)
     {
-      filter_.add({camera_.instant_s(start_frames_[i].time_s), start_frames_[i].observations});
+      filter_.add({model_.camera.instant_s(start_frames_[i].time_s), start_frames_[i].observations});
       log_likelihood += filter_.latest().log_likelihood;
     }
     return log_likelihood;
@@ -171,20 +168,20 @@ namespace swimtwin
     }
     run_through_start(best);
     for (int i = 0; i < 3; ++i)
-      run_through_start(belief().mean[layout_.place(TwinParameter::camera_delay)]);
+      run_through_start(belief().mean[model_.layout.place(TwinParameter::camera_delay)]);
     is_searching_ = false;
     start_frames_.clear();
   }
 
   void SwimmerTwin::keep_delay_reference()
   {
-    if (!layout_.is_estimated(TwinParameter::camera_delay))
+    if (!model_.layout.is_estimated(TwinParameter::camera_delay))
       return;
-    const double delay_s = belief().mean[layout_.place(TwinParameter::camera_delay)],
-                 shift_s = camera_.reference_delay_s - delay_s;
+    const double delay_s = belief().mean[model_.layout.place(TwinParameter::camera_delay)],
+                 shift_s = model_.camera.reference_delay_s - delay_s;
     if (std::abs(shift_s) < options_.delay_tolerance_s)
       return;
-    camera_.reference_delay_s = delay_s;
+    model_.camera.reference_delay_s = delay_s;
     filter_.retime([shift_s](const double time_s) { return time_s + shift_s; });
   }
 
@@ -204,19 +201,19 @@ namespace swimtwin
   std::vector<UnlearnedDirection> SwimmerTwin::unlearned() const
   {
     std::vector<UnlearnedDirection> directions;
-    const int                       n = layout_.n_swimmer(), m = layout_.n_states() - n;
+    const int                       n = model_.layout.n_swimmer(), m = model_.layout.n_states() - n;
     if (!has_started() || m == 0)
       return directions;
     // In units of what the prior would be by now without observations.
     Eigen::VectorXd          unit(m);
     std::vector<std::string> names;
     for (int i = 0; i < n_twin_parameters; ++i)
-      if (const auto p = static_cast<TwinParameter>(i); layout_.is_estimated(p))
+      if (const auto p = static_cast<TwinParameter>(i); model_.layout.is_estimated(p))
       {
         const DriftingParameter &parameter         = options_.parameters[p];
         const bool               follows_viscosity = p == TwinParameter::stiffness || p == TwinParameter::magnetization;
         const double walked = std::hypot(parameter.drift, follows_viscosity ? options_.parameters.viscosity_drift : 0.);
-        unit[layout_.place(p) - n] =
+        unit[model_.layout.place(p) - n] =
             std::hypot(parameter.standard_deviation, walked * std::sqrt(std::max(0., now_s() - started_s_)));
         names.emplace_back(twin_parameter_names[static_cast<std::size_t>(i)]);
       }
@@ -253,7 +250,7 @@ namespace swimtwin
   {
     if (!has_started())
       return;
-    const int       n = layout_.n_swimmer(), k = layout_.n_states() - n;
+    const int       n = model_.layout.n_swimmer(), k = model_.layout.n_states() - n;
     Eigen::MatrixXd rows = belief().root.bottomRows(k).transpose();
     Eigen::VectorXd workspace(k);
     triangularise(rows, workspace);
@@ -268,11 +265,11 @@ namespace swimtwin
   void SwimmerTwin::look_for_pose()
   {
     filter_.gated_from_s       = now_s() + options_.search_pose_after_s;
-    const Eigen::VectorXd zero = Eigen::VectorXd::Zero(layout_.n_states());
-    for (int i = 0; i < swimmer_.n_velocities(); ++i)
+    const Eigen::VectorXd zero = Eigen::VectorXd::Zero(model_.layout.n_states());
+    for (int i = 0; i < model_.swimmer.n_velocities(); ++i)
     {
       Eigen::VectorXd direction = zero;
-      direction[i]              = i < 2    ? swimmer_.length_m()
+      direction[i]              = i < 2    ? model_.swimmer.length_m()
                                   : i == 2 ? options_.start.angle_sd_rad
                                            : options_.start.shape_sd_m[i - 3];
       filter_.widen(now_s(), now_s(), direction);
@@ -284,7 +281,7 @@ namespace swimtwin
   {
     const FilterNode &first = filter_.node(0);
     Memory            memory{first.time_s,   started_s_,           quiet_until_s_,
-                  last_used_s_,   filter_.gated_from_s, camera_.reference_delay_s,
+                  last_used_s_,   filter_.gated_from_s, model_.camera.reference_delay_s,
                   first.filtered, first.noise_levels,   {},
                   start_frames_,  is_searching_,        kept_parameters_};
     for (int i = 1; i < filter_.n_nodes(); ++i)
@@ -295,8 +292,8 @@ namespace swimtwin
 
   void SwimmerTwin::restore(const Memory &memory)
   {
-    camera_.reference_delay_s = memory.reference_delay_s;
-    filter_.gated_from_s      = memory.gated_from_s;
+    model_.camera.reference_delay_s = memory.reference_delay_s;
+    filter_.gated_from_s            = memory.gated_from_s;
     filter_.start(memory.window_start_s, memory.at_window_start,
                   JumpTest(hypotheses_, options_.jumps.interval_s, options_.jumps.n_instants), &memory.noise_levels);
     for (const Frame &frame : memory.frames)

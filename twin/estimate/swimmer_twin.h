@@ -1,7 +1,7 @@
 // The estimator: where the swimmer is, how bent, what it became.
 #pragma once
 
-#include <twin/estimate/twin_options.h>
+#include <twin/estimate/twin_model.h>
 
 #include <algorithm>
 #include <limits>
@@ -39,8 +39,8 @@ namespace swimtwin
 
     /// What the coils play. A change of what was played earlier than the latest observation is made good by going
     /// through the window again.
-    FieldSignal       &field() { return field_; }
-    const FieldSignal &field() const { return field_; }
+    FieldSignal       &field() { return model_.field; }
+    const FieldSignal &field() const { return model_.field; }
     void               field_changed_from(double time_s) { revisit_from_s_ = std::min(revisit_from_s_, time_s); }
 
     /// Stamped by the camera's clock. The first frame that has a position starts the estimate; before it all are
@@ -55,11 +55,11 @@ namespace swimtwin
     const Belief         &belief() const { return filter_.latest().filtered; }
     const WindowFilter   &filter() const { return filter_; }
     WindowFilter         &filter() { return filter_; }
-    const TwinLayout     &layout() const { return layout_; }
-    TwinProcess          &process() { return process_; }
-    const CameraSensor   &camera() const { return camera_; }
-    CameraSensor         &camera() { return camera_; }
-    const ReducedSwimmer &swimmer() const { return swimmer_; }
+    const TwinLayout     &layout() const { return model_.layout; }
+    TwinProcess          &process() { return model_.process; }
+    const CameraSensor   &camera() const { return model_.camera; }
+    CameraSensor         &camera() { return model_.camera; }
+    const ReducedSwimmer &swimmer() const { return model_.swimmer; }
     const TwinOptions    &options() const { return options_; }
 
     /// The alarm that the last frame raised, if it did; the estimate has been widened to follow.
@@ -95,14 +95,9 @@ namespace swimtwin
     void   watch_for_loss();
     void   look_for_pose();
 
-    TwinOptions    options_;
-    ReducedSwimmer swimmer_;
-    TailAxis       axis_;
-    FieldSignal    field_;
-    TwinLayout     layout_;
-    TwinProcess    process_;
-    CameraSensor   camera_;
-    WindowFilter   filter_;
+    TwinOptions  options_;
+    TwinModel    model_;
+    WindowFilter filter_;
 
     std::vector<JumpHypothesis> hypotheses_;
     std::optional<JumpAlarm>    alarm_;

@@ -19,20 +19,18 @@ namespace swimtwin
   } // namespace
 
   FieldTrial::FieldTrial(const ReducedModel &model, const TwinOptions &options)
-      : swimmer_(model, options.densities), axis_(model.tail), layout_(options.parameters, swimmer_.n_states()),
-        process_(swimmer_, options.nominal, layout_, field_, options.noise, options.largest_step_s),
-        camera_(process_, axis_, options.first_sigmas), algebra_(process_.n_states(), process_.n_noises())
+      : model_(model, options), algebra_(model_.process.n_states(), model_.process.n_noises())
   {
   }
 
   void FieldTrial::begin(const SwimmerTwin &twin, const Drive &drive, const double drive_start_s)
   {
-    const WindowFilter &filter = twin.filter();
-    now_                       = twin.belief();
-    now_s_                     = twin.now_s();
-    camera_.reference_delay_s  = twin.camera().reference_delay_s;
-    drive_                     = drive;
-    drive_start_s_             = drive_start_s;
+    const WindowFilter &filter      = twin.filter();
+    now_                            = twin.belief();
+    now_s_                          = twin.now_s();
+    model_.camera.reference_delay_s = twin.camera().reference_delay_s;
+    drive_                          = drive;
+    drive_start_s_                  = drive_start_s;
     int last = filter.n_nodes() - 1, n_frames = 0; // instants at which something was seen
     for (int i = 0; i < filter.n_nodes(); ++i)
       if (!filter.node(i).observations.empty())
@@ -49,10 +47,10 @@ namespace swimtwin
   {
     for (const Sighting &s : seen_)
     {
-      const Eigen::Index rows = camera_.n_rows(s);
+      const Eigen::Index rows = model_.camera.n_rows(s);
       residual_.resize(rows);
-      slopes_.resize(rows, process_.n_states());
-      camera_.look(s, time_s, belief_.mean, residual_, slopes_);
+      slopes_.resize(rows, model_.process.n_states());
+      model_.camera.look(s, time_s, belief_.mean, residual_, slopes_);
       residual_.setZero();
       algebra_.update(residual_, slopes_, s.sigma, belief_, record_);
     }
@@ -67,7 +65,7 @@ namespace swimtwin
     const int       n       = std::max(1, static_cast<int>(std::ceil(time_s / frame_interval_s_)));
     Eigen::VectorXd mean    = belief_.mean;
     for (int i = 0; i < n; ++i)
-      if (!process_.advance(start_s + time_s * i / n, start_s + time_s * (i + 1) / n, mean, transition_, noise_))
+      if (!model_.process.advance(start_s + time_s * i / n, start_s + time_s * (i + 1) / n, mean, transition_, noise_))
         return std::nullopt;
     return (mean.head<2>() - belief_.mean.head<2>()).norm() / time_s;
   }
@@ -77,16 +75,16 @@ namespace swimtwin
   {
     const Drive  drive = changed(drive_, change);
     const double phase = (now_s_ - drive_start_s_) * drive_.frequency_Hz;
-    field_             = FieldSignal();
-    field_.play(now_s_ - (phase - std::floor(phase)) / drive.frequency_Hz, drive);
-    transition_.resize(process_.n_states(), process_.n_states());
-    noise_.resize(process_.n_states(), process_.n_noises());
+    model_.field       = FieldSignal();
+    model_.field.play(now_s_ - (phase - std::floor(phase)) / drive.frequency_Hz, drive);
+    transition_.resize(model_.process.n_states(), model_.process.n_states());
+    noise_.resize(model_.process.n_states(), model_.process.n_noises());
     belief_     = now_;
     const int n = std::max(1, static_cast<int>(std::lround(duration_s / frame_interval_s_)));
     for (int i = 0; i < n; ++i)
     {
       const double from_s = now_s_ + duration_s * i / n, to_s = now_s_ + duration_s * (i + 1) / n;
-      if (!process_.advance(from_s, to_s, belief_.mean, transition_, noise_))
+      if (!model_.process.advance(from_s, to_s, belief_.mean, transition_, noise_))
         return std::nullopt;
       algebra_.predict(transition_, noise_, belief_.root);
       if (!take_in_frame(to_s))
@@ -95,6 +93,6 @@ namespace swimtwin
     const auto speed_m_s = mean_speed(drive.frequency_Hz, duration_s);
     if (!speed_m_s)
       return std::nullopt;
-    return TrialResult{belief_.standard_deviation(layout_.place(parameter)), *speed_m_s};
+    return TrialResult{belief_.standard_deviation(model_.layout.place(parameter)), *speed_m_s};
   }
 } // namespace swimtwin

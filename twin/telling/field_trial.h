@@ -32,12 +32,7 @@ namespace swimtwin
     bool                  take_in_frame(double time_s);
     std::optional<double> mean_speed(double frequency_Hz, double duration_s);
 
-    ReducedSwimmer        swimmer_;
-    TailAxis              axis_;
-    FieldSignal           field_;
-    TwinLayout            layout_;
-    TwinProcess           process_;
-    CameraSensor          camera_;
+    TwinModel             model_;
     SquareRootFilter      algebra_;
     Belief                now_, belief_;
     double                now_s_ = 0., frame_interval_s_ = 0.;
