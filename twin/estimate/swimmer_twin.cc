@@ -37,6 +37,14 @@ namespace swimtwin
       add("head's angle (the swimmer or the camera was turned)", {{2, 1.}});
       return hypotheses;
     }
+
+    constexpr double instant_later_s = 1e-6;
+
+    bool shows_head(const std::vector<Sighting> &observations)
+    {
+      return std::any_of(observations.begin(), observations.end(),
+                         [](const Sighting &o) { return o.kind == head_position; });
+    }
   } // namespace
 
   bool has_used_sighting(const std::vector<Innovation> &innovations)
@@ -91,17 +99,39 @@ namespace swimtwin
     return belief;
   }
 
-  void SwimmerTwin::start(const double stamp_s, const std::vector<Sighting> &observations)
+  void SwimmerTwin::start(const double instant_s, const std::vector<Sighting> &observations)
   {
-    const double instant_s = model_.camera.instant_s(stamp_s);
-    filter_.gated_from_s   = instant_s + options_.search_pose_after_s;
+    filter_.gated_from_s = instant_s + options_.search_pose_after_s;
     filter_.start(instant_s, first_belief(instant_s, observations),
                   JumpTest(hypotheses_, options_.jumps.interval_s, options_.jumps.n_instants));
     // The first frame is an observation like all others, an instant after the belief that it began.
-    constexpr double instant_later_s = 1e-6;
     filter_.add({instant_s + instant_later_s, observations});
     started_s_ = last_used_s_ = instant_s;
     quiet_until_s_            = instant_s + options_.jumps.settle_s;
+  }
+
+  /// Taken before the frame that began the estimate, which nothing has left since.
+  bool SwimmerTwin::was_overtaken(const double instant_s, const std::vector<Sighting> &observations) const
+  {
+    return filter_.node(0).time_s == started_s_ && instant_s <= started_s_ &&
+           instant_s > started_s_ - options_.filter.window_s && shows_head(observations);
+  }
+
+  bool SwimmerTwin::is_too_old(const double stamp_s, const std::vector<Sighting> &observations) const
+  {
+    const double instant_s = model_.camera.instant_s(stamp_s);
+    return has_started() && instant_s <= filter_.node(0).time_s && !was_overtaken(instant_s, observations);
+  }
+
+  /// As if the frames had come in their order.
+  void SwimmerTwin::start_earlier(const double instant_s, const std::vector<Sighting> &observations)
+  {
+    std::vector<Frame> later = memory().frames;
+    if (!later.empty() && instant_s < started_s_)
+      later.front().time_s = started_s_; // the one that began the estimate
+    start(instant_s, observations);
+    for (const Frame &frame : later)
+      filter_.add(frame);
   }
 
   Insertion SwimmerTwin::see(const double stamp_s, const std::vector<Sighting> &observations)
@@ -109,22 +139,25 @@ namespace swimtwin
     alarm_.reset();
     if (!has_started())
     {
-      const bool has_position = std::any_of(observations.begin(), observations.end(),
-                                            [](const Sighting &o) { return o.kind == head_position; });
-      if (!has_position)
+      if (!shows_head(observations))
         return Insertion::too_old;
       is_searching_ = model_.layout.is_estimated(TwinParameter::camera_delay) && !kept_parameters_;
       if (is_searching_)
         start_frames_.push_back({stamp_s, observations});
-      start(stamp_s, observations);
+      start(model_.camera.instant_s(stamp_s), observations);
       return Insertion::in_order;
     }
     if (is_searching_)
       start_frames_.push_back({stamp_s, observations});
     if (revisit_from_s_ < now_s())
       filter_.revisit(revisit_from_s_);
-    revisit_from_s_           = std::numeric_limits<double>::infinity();
-    const Insertion insertion = filter_.add({model_.camera.instant_s(stamp_s), observations});
+    revisit_from_s_        = std::numeric_limits<double>::infinity();
+    const double instant_s = model_.camera.instant_s(stamp_s);
+    Insertion    insertion = Insertion::replayed;
+    if (was_overtaken(instant_s, observations))
+      start_earlier(instant_s, observations);
+    else
+      insertion = filter_.add({instant_s, observations});
     if (is_searching_ && now_s() - started_s_ >= options_.delay_search_s)
       search_delay();
     else if (!is_searching_)
@@ -137,7 +170,7 @@ namespace swimtwin
   double SwimmerTwin::run_through_start(const double delay_s)
   {
     model_.camera.reference_delay_s = delay_s;
-    start(start_frames_.front().time_s, start_frames_.front().observations);
+    start(model_.camera.instant_s(start_frames_.front().time_s), start_frames_.front().observations);
     double log_likelihood = 0.;
     for (std::size_t i = 1; i < start_frames_.size(); ++i)
     {

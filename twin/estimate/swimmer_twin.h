@@ -43,9 +43,11 @@ namespace swimtwin
     const FieldSignal &field() const { return model_.field; }
     void               field_changed_from(double time_s) { revisit_from_s_ = std::min(revisit_from_s_, time_s); }
 
-    /// Stamped by the camera's clock. The first frame that has a position starts the estimate; before it all are
-    /// too old.
+    /// Stamped by the camera's clock. The first frame that has a position starts the estimate; one that it has
+    /// overtaken starts it again.
     Insertion see(double stamp_s, const std::vector<Sighting> &observations);
+    /// Whether a frame is of a time before all that the estimate rests on.
+    bool is_too_old(double stamp_s, const std::vector<Sighting> &observations) const;
 
     bool   has_started() const { return filter_.has_started(); }
     bool   is_searching_delay() const { return is_searching_; }
@@ -86,7 +88,9 @@ namespace swimtwin
     void   restore(const Memory &memory);
 
   private:
-    void   start(double stamp_s, const std::vector<Sighting> &observations);
+    void   start(double instant_s, const std::vector<Sighting> &observations);
+    bool   was_overtaken(double instant_s, const std::vector<Sighting> &observations) const;
+    void   start_earlier(double instant_s, const std::vector<Sighting> &observations);
     Belief first_belief(double instant_s, const std::vector<Sighting> &observations) const;
     void   search_delay();
     double run_through_start(double delay_s);

@@ -110,8 +110,7 @@ namespace swimtwin
     ++counts_.n_frames;
     if (twin_.has_started())
       require_plausible_time(frame);
-    const bool is_older =
-        twin_.has_started() && twin_.camera().instant_s(frame.time_s) <= twin_.filter().node(0).time_s;
+    const bool is_older = twin_.is_too_old(frame.time_s, frame.observations);
     if (is_older)
       ++n_refused_in_a_row_;
     if (n_refused_in_a_row_ >= frames_of_a_new_clock)

@@ -169,7 +169,7 @@ namespace swimtwin
       for (const CapturedFrame &frame : frames)
         ordered.see(frame.stamp_s, frame.observations);
       std::mt19937 engine(1);
-      for (std::size_t i = 1; i + 8 < frames.size(); i += 8)
+      for (std::size_t i = 0; i + 8 < frames.size(); i += 8) // the first one, too
         std::shuffle(frames.begin() + static_cast<long>(i), frames.begin() + static_cast<long>(i) + 8, engine);
       for (const CapturedFrame &frame : frames)
         shuffled.see(frame.stamp_s, frame.observations);
