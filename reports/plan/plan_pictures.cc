@@ -125,10 +125,12 @@ namespace swimtwin
 
     GnuplotPicture gains_picture(const PlanFolder &folder)
     {
-      const PlanResult &plan    = folder.plan;
-      GnuplotPicture    picture = picture_of(
-             folder, "gains", gnuplot_scripts::gains, "Mean speed of each field",
-             fmt::format("gain {} over the tuned sinusoid; {}", plain_number(plan.gain(), 3), plan.confirmation()));
+      const PlanResult &plan  = folder.plan;
+      const std::string proof = plan.replay ? plain_number(plan.replay->gain(), 3) + " on the full-order model"
+                                            : "not confirmed on the full-order model";
+      GnuplotPicture    picture =
+          picture_of(folder, "gains", gnuplot_scripts::gains, "Mean speed of each field",
+                     fmt::format("gain {} over the tuned sinusoid, {}", plain_number(plan.gain(), 3), proof));
       int n = 0;
       picture.table.begin_block("bar, mean speed (um/s), 0: reduced, 1: full order");
       for (const PlannedField &field : plan.fields)

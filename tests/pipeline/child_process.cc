@@ -93,7 +93,7 @@ namespace swimtwin
   bool ChildProcess::wait_until(const std::function<bool()> &condition)
   {
     using namespace std::chrono;
-    for (const auto end = steady_clock::now() + minutes(1); steady_clock::now() < end && !has_ended();)
+    for (const auto end = steady_clock::now() + minutes(5); steady_clock::now() < end && !has_ended();)
     {
       if (condition())
         return true;
