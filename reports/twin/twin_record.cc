@@ -1,6 +1,7 @@
 #include <datasets/files/json_entries.h>
 #include <datasets/files/input_file.h>
 #include <datasets/system/error.h>
+#include <datasets/text/delimited_text.h>
 #include <reports/run/run_folder.h>
 #include <reports/twin/twin_record.h>
 #include <twin/run/twin_folder.h>
@@ -20,17 +21,6 @@ namespace swimtwin
   namespace
   {
     constexpr long shown_rows = 3000; // more than a picture has pixels
-
-    std::vector<std::string> split(const std::string &line)
-    {
-      std::vector<std::string> cells(1);
-      for (const char c : line)
-        if (c == ',')
-          cells.emplace_back();
-        else
-          cells.back() += c;
-      return cells;
-    }
 
     long count_rows(const fs::path &file)
     {
@@ -62,7 +52,7 @@ namespace swimtwin
       std::ifstream in(file);
       std::string   line;
       std::getline(in, line);
-      const std::vector<std::string> names  = split(line);
+      const std::vector<std::string> names  = split_cells(line, ',');
       const long                     stride = std::max(1L, (n_rows + shown_rows - 1) / shown_rows);
       TwinColumns                    columns;
       for (const std::string &name : names)
@@ -75,7 +65,7 @@ namespace swimtwin
       {
         if (row % stride != 0 && row != n_rows - 1)
           continue;
-        const std::vector<std::string> cells = split(line);
+        const std::vector<std::string> cells = split_cells(line, ',');
         if (cells.size() != names.size())
           throw InputError(fmt::format("{}:{}: has {} cells where the header has {}; the table is not as `twin` writes "
                                        "it: run the twin again with --force.",

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <datasets/files/hdf5_file.h>
+#include <datasets/text/delimited_text.h>
 #include <twin/watch/watchdog.h>
 
 #include <fmt/format.h>
@@ -16,25 +17,16 @@ namespace swimtwin
   /// Columns of a table without quoted cells.
   inline std::map<std::string, std::vector<std::string>> columns_of_table(const std::filesystem::path &file)
   {
-    const auto cells_of = [](const std::string &line) {
-      std::vector<std::string> cells(1);
-      for (const char c : line)
-        if (c == ',')
-          cells.emplace_back();
-        else
-          cells.back() += c;
-      return cells;
-    };
     std::map<std::string, std::vector<std::string>> columns;
     std::ifstream                                   in(file);
     std::string                                     line;
     std::getline(in, line);
-    const std::vector<std::string> names = cells_of(line);
+    const std::vector<std::string> names = split_cells(line, ',');
     for (const std::string &name : names)
       columns[name] = {};
     while (std::getline(in, line))
     {
-      const std::vector<std::string> cells = cells_of(line);
+      const std::vector<std::string> cells = split_cells(line, ',');
       EXPECT_EQ(cells.size(), names.size());
       for (std::size_t i = 0; i < std::min(cells.size(), names.size()); ++i)
         columns[names[i]].push_back(cells[i]);
