@@ -15,45 +15,47 @@ namespace swimtwin
         ordered.col(table.position_of_row(static_cast<int>(row))) += coefficients.row(row).transpose();
       return ordered;
     }
-
-    Eigen::Index first_nonzero_column(const Eigen::MatrixXd &matrix)
-    {
-      Eigen::Index first = 0;
-      while (first < matrix.cols() && matrix.col(first).isZero(0.))
-        ++first;
-      return first;
-    }
   } // namespace
 
   CoordinatePolynomials::CoordinatePolynomials(const ShapePolynomials &polynomials, const Eigen::VectorXi &parity)
-      : inverse_scale_(polynomials.scale_m.cwiseInverse()), monomials_(polynomials.exponents, parity),
-        coefficients_(ordered_as(monomials_, polynomials.coefficients))
+      : size_(static_cast<int>(polynomials.coefficients.cols())), inverse_scale_(polynomials.scale_m.cwiseInverse()),
+        monomials_(polynomials.exponents, parity), family_(monomials_, ordered_as(monomials_, polynomials.coefficients))
   {
     if (monomials_.size() > max_monomials)
       throw InputError("the reduced model has more monomials of its shape than this program computes with: train it "
                        "with fewer --modes.");
-    first_        = first_nonzero_column(coefficients_);
-    coefficients_ = coefficients_.rightCols(coefficients_.cols() - first_).eval();
+  }
+
+  CoordinatePolynomials::MonomialVector CoordinatePolynomials::monomials_at(const ShapeVector &q) const
+  {
+    MonomialVector    m(monomials_.size());
+    const ShapeVector z = q.cwiseProduct(inverse_scale_);
+    monomials_.evaluate(z, m);
+    return m;
   }
 
   AmplitudeVector CoordinatePolynomials::value(const ShapeVector &q) const
   {
-    Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, max_monomials, 1> m(monomials_.size());
-    const ShapeVector                                                           z = q.cwiseProduct(inverse_scale_);
-    monomials_.evaluate(z, m);
-    AmplitudeVector values(size());
-    values.noalias() = coefficients_ * m.tail(coefficients_.cols());
+    ResultVector results(family_.n_results());
+    family_.evaluate(monomials_at(q), results);
+    AmplitudeVector values(size_);
+    for (int i = 0; i < size_; ++i)
+      values[i] = results[family_.value_place(i)];
     return values;
   }
 
-  AmplitudeMatrix CoordinatePolynomials::slopes(const ShapeVector &q) const
+  ValuesAndSlopes CoordinatePolynomials::differentiate(const ShapeVector &q) const
   {
-    Eigen::MatrixXd   m(monomials_.size(), 1 + q.size());
-    const ShapeVector z = q.cwiseProduct(inverse_scale_);
-    monomials_.evaluate_with_gradient(z, m);
-    AmplitudeMatrix slopes(size(), q.size());
-    slopes.noalias() = coefficients_ * m.bottomRightCorner(coefficients_.cols(), q.size());
-    return slopes * inverse_scale_.asDiagonal();
+    ResultVector results(family_.n_results());
+    family_.differentiate(monomials_at(q), results);
+    ValuesAndSlopes at{AmplitudeVector(size_), AmplitudeMatrix(size_, q.size())};
+    for (int i = 0; i < size_; ++i)
+    {
+      at.values[i] = results[family_.value_place(i)];
+      for (Eigen::Index k = 0; k < q.size(); ++k)
+        at.slopes(i, k) = results[family_.slope_place(i, k)] * inverse_scale_[k];
+    }
+    return at;
   }
 
   ShapePolynomials derivative_of(const ShapePolynomials &polynomials, const Eigen::Index coordinate)

@@ -2,29 +2,41 @@
 #pragma once
 
 #include <datasets/reduced/reduced_model.h>
-#include <rom/swimmer/monomial_table.h>
+#include <rom/swimmer/polynomial_family.h>
 #include <rom/swimmer/state_vectors.h>
 
 namespace swimtwin
 {
+  struct ValuesAndSlopes
+  {
+    AmplitudeVector values;
+    AmplitudeMatrix slopes; ///< by the coordinates (not scaled)
+  };
+
   class CoordinatePolynomials
   {
   public:
     /// At most max_amplitudes of them. `parity` of the coordinates.
     CoordinatePolynomials(const ShapePolynomials &polynomials, const Eigen::VectorXi &parity);
 
-    int             size() const { return static_cast<int>(coefficients_.rows()); }
+    int             size() const { return size_; }
     AmplitudeVector value(const ShapeVector &q) const;
-    /// By the coordinates (not scaled), size() x r.
-    AmplitudeMatrix slopes(const ShapeVector &q) const;
+    /// size() of them, and size() x r.
+    ValuesAndSlopes differentiate(const ShapeVector &q) const;
+    AmplitudeMatrix slopes(const ShapeVector &q) const { return differentiate(q).slopes; }
 
     static constexpr int max_monomials = 2048;
 
   private:
-    ShapeVector     inverse_scale_;
-    MonomialTable   monomials_;
-    Eigen::MatrixXd coefficients_; ///< size() x monomials as the table orders them, from `first_` on
-    Eigen::Index    first_ = 0;    ///< those before have no coefficients: of even ones, if all polynomials are odd
+    using MonomialVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, max_monomials, 1>;
+    using ResultVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, max_amplitudes *(1 + max_modes), 1>;
+
+    MonomialVector monomials_at(const ShapeVector &q) const;
+
+    int              size_ = 0;
+    ShapeVector      inverse_scale_;
+    MonomialTable    monomials_;
+    PolynomialFamily family_;
   };
 
   /// The derivatives of all polynomials by a coordinate, as polynomials.

@@ -120,12 +120,14 @@ namespace swimtwin
     return amplitudes_.pull_back(q, gradient(p, stress(monomials(p))));
   }
 
-  ShapeMatrix ElasticEnergy::hessian(const ShapeVector &q) const
+  EnergySlopes ElasticEnergy::differentiate(const ShapeVector &q) const
   {
-    if (given_gradient_)
-      return given_gradient_->slopes(q);
-    if (by_coordinates_)
-      return by_coordinates_->slopes(q);
+    if (given_gradient_ || by_coordinates_)
+    {
+      const ValuesAndSlopes at =
+          given_gradient_ ? given_gradient_->differentiate(q) : by_coordinates_->differentiate(q);
+      return {at.values, at.slopes};
+    }
     const AmplitudeVector p = amplitudes_.value(q);
     const AmplitudeMatrix J = amplitudes_.slopes(q);
     const int             n = static_cast<int>(p.size());
@@ -139,13 +141,14 @@ namespace swimtwin
       curvature(i, j) += s[k];
       curvature(j, i) += s[k];
     });
-    ShapeMatrix H = amplitudes_.curvature(q, gradient(p, s));
+    const AmplitudeVector by_amplitudes = gradient(p, s);
+    ShapeMatrix           H             = amplitudes_.curvature(q, by_amplitudes);
     H += J.transpose() * curvature * J;
     for (const auto &[first, gram] : blocks_)
     {
       const auto part = slope.middleRows(first, gram.rows());
       H += part.transpose() * (gram * part);
     }
-    return H;
+    return {J.transpose() * by_amplitudes, H};
   }
 } // namespace swimtwin

@@ -11,6 +11,12 @@
 
 namespace swimtwin
 {
+  struct EnergySlopes
+  {
+    ShapeVector gradient;
+    ShapeMatrix hessian;
+  };
+
   /// Per Young's modulus: multiply value (m^2), gradient (m) and Hessian (1) by E to get J/m, N/m and Pa.
   class ElasticEnergy
   {
@@ -19,7 +25,9 @@ namespace swimtwin
 
     double      value(const ShapeVector &q) const;
     ShapeVector gradient(const ShapeVector &q) const;
-    ShapeMatrix hessian(const ShapeVector &q) const;
+    ShapeMatrix hessian(const ShapeVector &q) const { return differentiate(q).hessian; }
+    /// Gradient and Hessian for little more than the latter.
+    EnergySlopes differentiate(const ShapeVector &q) const;
 
   private:
     /// Strain monomials of one parity under the mirror, which stand together: strains of different parity do no work on

@@ -61,15 +61,16 @@ namespace swimtwin
                                               const SwimmerParameters &parameters, SwimmerMotion &motion,
                                               RateDerivatives &derivatives) const
   {
-    const int    n         = n_velocities();
-    const double viscosity = parameters.viscosity_Pa_s;
+    const int          n         = n_velocities();
+    const double       viscosity = parameters.viscosity_Pa_s;
+    const EnergySlopes energy    = energy_.differentiate(shape_of(state));
     resistance_.differentiate(shape_of(state), state[2], state[1], motion.resistance);
-    set_inertial_rate(state, force(state, field_T, parameters), viscosity, motion);
+    set_inertial_rate(state, force(state, field_T, parameters, energy.gradient), viscosity, motion);
     inertia_.differentiate(motion.resistance.coordinates, variable_rate(state, motion.resistance), motion.velocity,
                            motion.inertia);
 
     Eigen::MatrixXd &columns = derivatives.columns;
-    set_force_derivatives(state, field_T, parameters, columns);
+    set_force_derivatives(state, field_T, parameters, energy, columns);
     add_resistance_derivatives(motion, viscosity, columns);
     add_inertia_derivatives(state, motion, columns);
 

@@ -19,9 +19,9 @@ namespace swimtwin
       return -1;
     }
 
-    Exponents parent_of(Exponents exponents)
+    Exponents lower_by(Exponents exponents, const int coordinate)
     {
-      --exponents[static_cast<std::size_t>(last_coordinate(exponents))];
+      --exponents[static_cast<std::size_t>(coordinate)];
       return exponents;
     }
 
@@ -53,9 +53,19 @@ namespace swimtwin
       : n_coordinates_(static_cast<int>(exponents.cols()))
   {
     std::map<Exponents, int, decltype(&precedes)> positions(&precedes);
+    std::vector<Exponents>                        to_add;
     for (Eigen::Index row = 0; row < exponents.rows(); ++row)
-      for (Exponents e = row_of(exponents, row); positions.emplace(e, -1).second && last_coordinate(e) >= 0;)
-        e = parent_of(e);
+      to_add.push_back(row_of(exponents, row));
+    to_add.emplace_back(exponents.cols(), 0);
+    while (!to_add.empty())
+    {
+      const Exponents e = std::move(to_add.back());
+      to_add.pop_back();
+      if (positions.emplace(e, -1).second)
+        for (int k = 0; k < n_coordinates_; ++k)
+          if (e[static_cast<std::size_t>(k)] > 0)
+            to_add.push_back(lower_by(e, k));
+    }
 
     int position = 0;
     for (const bool even : {true, false})
@@ -67,10 +77,15 @@ namespace swimtwin
         n_even_ = position;
     }
     for (const auto &[e, at] : positions)
+    {
       if (const int k = last_coordinate(e); k < 0)
         constant_place_ = at;
       else
-        order_.push_back({at, positions.at(parent_of(e)), k});
+        order_.push_back({at, positions.at(lower_by(e, k)), k});
+      for (int k = 0; k < n_coordinates_; ++k)
+        if (const int power = e[static_cast<std::size_t>(k)]; power > 0)
+          derivatives_.push_back({at, k, power, positions.at(lower_by(e, k))});
+    }
     for (Eigen::Index row = 0; row < exponents.rows(); ++row)
       position_of_row_.push_back(positions.at(row_of(exponents, row)));
   }
@@ -99,13 +114,9 @@ namespace swimtwin
   void MonomialTable::evaluate_with_gradient(const Coordinates &z, Eigen::Ref<Eigen::MatrixXd> values) const
   {
     evaluate(z, values);
-    const double *const value = values.data();
-    for (int l = 0; l < n_coordinates_; ++l)
-    {
-      double *const slope    = values.col(1 + l).data();
-      slope[constant_place_] = 0.;
-      for (const auto &[at, parent, k] : order_)
-        slope[at] = slope[parent] * z[k] + (k == l ? value[parent] : 0.);
-    }
+    auto slopes = values.middleCols(1, n_coordinates_);
+    slopes.setZero();
+    for (const auto &[monomial, coordinate, power, lower] : derivatives_)
+      slopes(monomial, coordinate) = power * values(lower, 0);
   }
 } // namespace swimtwin

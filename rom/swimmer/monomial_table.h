@@ -7,11 +7,18 @@
 
 namespace swimtwin
 {
+  /// d monomial / d coordinate = power * lower, by places in the table.
+  struct MonomialDerivative
+  {
+    int monomial = 0, coordinate = 0, power = 0, lower = 0;
+  };
+
   class MonomialTable
   {
   public:
-    /// One monomial per row of `exponents` (n x n_coordinates); those that the recursion needs are added. Monomials
-    /// with `parity` -1, the product of the coordinates' parities (1 or -1) to their powers, come after all others.
+    /// One monomial per row of `exponents` (n x n_coordinates); those that occur in their derivatives are added.
+    /// Monomials with `parity` -1, the product of the coordinates' parities (1 or -1) to their powers, come after all
+    /// others; within a parity lower degrees come first.
     MonomialTable(const Eigen::MatrixXi &exponents, const Eigen::VectorXi &parity);
 
     using Coordinates = Eigen::Ref<const Eigen::VectorXd>;
@@ -21,6 +28,8 @@ namespace swimtwin
     int n_coordinates() const { return n_coordinates_; }
     /// Where the monomial of a row of `exponents` stands.
     int position_of_row(const int row) const { return position_of_row_[static_cast<std::size_t>(row)]; }
+    /// All that are not zero.
+    const std::vector<MonomialDerivative> &derivatives() const { return derivatives_; }
 
     /// Column 0 of `values` (size() rows) becomes the monomials at z.
     void evaluate(const Coordinates &z, Eigen::Ref<Eigen::MatrixXd> values) const;
@@ -35,8 +44,9 @@ namespace swimtwin
       int position = 0, parent = 0, coordinate = 0;
     };
 
-    std::vector<Step> order_; ///< of all but the constant, parents first
-    std::vector<int>  position_of_row_;
-    int               n_even_ = 0, n_coordinates_ = 0, constant_place_ = 0;
+    std::vector<Step>               order_; ///< of all but the constant, parents first
+    std::vector<MonomialDerivative> derivatives_;
+    std::vector<int>                position_of_row_;
+    int                             n_even_ = 0, n_coordinates_ = 0, constant_place_ = 0;
   };
 } // namespace swimtwin

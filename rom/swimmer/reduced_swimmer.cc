@@ -140,12 +140,12 @@ namespace swimtwin
   }
 
   VelocityVector ReducedSwimmer::force(const SwimmerState &state, const Eigen::Vector2d &field_T,
-                                       const SwimmerParameters &parameters) const
+                                       const SwimmerParameters &parameters, const ShapeVector &energy_gradient) const
   {
     const ShapeVector q = shape_of(state);
     VelocityVector    f =
         magnetic_force(q, moment(q, parameters), in_head_frame(state[2], field_T), parameters.tail_magnetization_A_m);
-    f.tail(r_) -= parameters.young_modulus_Pa * energy_.gradient(q);
+    f.tail(r_) -= parameters.young_modulus_Pa * energy_gradient;
     return f;
   }
 
@@ -193,7 +193,7 @@ namespace swimtwin
   {
     double pressure = 0.;
     resistance_.evaluate(shape_of(state), state[2], state[1], motion.resistance);
-    const VelocityVector f = force(state, field_T, parameters);
+    const VelocityVector f = force(state, field_T, parameters, energy_.gradient(shape_of(state)));
     if (has_inertia_)
       set_inertial_rate(state, f, parameters.viscosity_Pa_s, motion);
     else

@@ -91,8 +91,8 @@ namespace swimtwin
     Eigen::Matrix2Xd tail_area_slopes(const ShapeVector &q) const;
     AmplitudeVector  area_gradient_by_amplitudes(const ShapeVector &q) const;
     ShapeMatrix      area_hessian(const ShapeVector &q) const;
-    VelocityVector   force(const SwimmerState &state, const Eigen::Vector2d &field_T,
-                           const SwimmerParameters &parameters) const;
+    VelocityVector force(const SwimmerState &state, const Eigen::Vector2d &field_T, const SwimmerParameters &parameters,
+                         const ShapeVector &energy_gradient) const;
     /// (0, 0, 0, area gradient).
     VelocityVector area_direction(const ShapeVector &q) const;
     /// Columns of forces become columns of velocities at unit viscosity, free of the area's constraint.
@@ -101,7 +101,8 @@ namespace swimtwin
     void set_velocity(const SwimmerState &state, const VelocityVector &force, double viscosity, SwimmerMotion &motion,
                       double &pressure) const;
     void set_force_derivatives(const SwimmerState &state, const Eigen::Vector2d &field_T,
-                               const SwimmerParameters &parameters, Eigen::MatrixXd &columns) const;
+                               const SwimmerParameters &parameters, const EnergySlopes &energy,
+                               Eigen::MatrixXd &columns) const;
     void add_resistance_derivatives(const SwimmerMotion &motion, double viscosity, Eigen::MatrixXd &columns) const;
     void constrain_derivatives(const SwimmerState &state, const SwimmerMotion &motion, Eigen::MatrixXd &columns) const;
     ShapeVector shape_of(const SwimmerState &state) const { return state.segment(3, r_); }

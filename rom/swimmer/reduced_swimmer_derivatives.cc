@@ -28,14 +28,15 @@ namespace swimtwin
   }
 
   void ReducedSwimmer::set_force_derivatives(const SwimmerState &state, const Eigen::Vector2d &field_T,
-                                             const SwimmerParameters &parameters, Eigen::MatrixXd &columns) const
+                                             const SwimmerParameters &parameters, const EnergySlopes &energy,
+                                             Eigen::MatrixXd &columns) const
   {
     const ShapeVector     q = shape_of(state);
     const Eigen::Vector2d m = moment(q, parameters), b = in_head_frame(state[2], field_T);
     const double          M_tail = parameters.tail_magnetization_A_m;
     columns.setZero();
     columns.col(0)              = magnetic_force(q, m, turned_back(b), M_tail);
-    columns.block(3, 1, r_, r_) = -parameters.young_modulus_Pa * energy_.hessian(q);
+    columns.block(3, 1, r_, r_) = -parameters.young_modulus_Pa * energy.hessian;
     if (M_tail != 0.)
     {
       const Eigen::Matrix2Xd slopes = tail_area_slopes(q);
@@ -45,7 +46,7 @@ namespace swimtwin
     }
 
     auto further                           = columns.rightCols<n_force_columns>();
-    further.col(by_young_modulus).tail(r_) = -energy_.gradient(q);
+    further.col(by_young_modulus).tail(r_) = -energy.gradient;
     further(2, by_magnetization)           = magnet_.head_area_m2 * b.y();
     further.col(by_tail_magnetization)     = magnetic_force(q, tail_area(q), b, 1.);
     further.col(by_field_x) = magnetic_force(q, m, in_head_frame(state[2], Eigen::Vector2d::UnitX()), M_tail);
@@ -93,13 +94,14 @@ namespace swimtwin
   {
     if (has_inertia_)
       return differentiate_inertial(state, field_T, parameters, motion, derivatives);
-    const double viscosity = parameters.viscosity_Pa_s;
-    double       pressure  = 0.;
+    const double       viscosity = parameters.viscosity_Pa_s;
+    double             pressure  = 0.;
+    const EnergySlopes energy    = energy_.differentiate(shape_of(state));
     resistance_.differentiate(shape_of(state), state[2], state[1], motion.resistance);
-    set_velocity(state, force(state, field_T, parameters), viscosity, motion, pressure);
+    set_velocity(state, force(state, field_T, parameters, energy.gradient), viscosity, motion, pressure);
 
     Eigen::MatrixXd &columns = derivatives.columns;
-    set_force_derivatives(state, field_T, parameters, columns);
+    set_force_derivatives(state, field_T, parameters, energy, columns);
     add_resistance_derivatives(motion, viscosity, columns);
     if (area_.is_kept)
       columns.block(3, 1, r_, r_) -= pressure * area_hessian(shape_of(state));

@@ -20,11 +20,6 @@ namespace swimtwin
 
   namespace
   {
-    int entry_column(const int i, const int j)
-    {
-      return i * (i + 1) / 2 + j;
-    }
-
     /// Columns: monomials as the table orders them. Rows: entries of C.
     Eigen::MatrixXd coefficients_by_position(const ReducedResistance &resistance, const MonomialTable &monomials)
     {
@@ -32,26 +27,6 @@ namespace swimtwin
       for (int f = 0; f < resistance.coefficients.rows(); ++f)
         by_position.col(monomials.position_of_row(f)) += resistance.coefficients.row(f).transpose();
       return by_position;
-    }
-
-    using Entries = std::vector<std::pair<int, int>>;
-
-    Entries entries_of_parity(const Eigen::VectorXi &velocity_parity, const int parity)
-    {
-      Entries entries;
-      for (int i = 0; i < velocity_parity.size(); ++i)
-        for (int j = 0; j <= i; ++j)
-          if (velocity_parity[i] * velocity_parity[j] == parity)
-            entries.emplace_back(i, j);
-      return entries;
-    }
-
-    bool are_zero(const Eigen::MatrixXd &by_position, const Entries &entries, const int first, const int n)
-    {
-      for (const auto &[i, j] : entries)
-        if (!by_position.row(entry_column(i, j)).segment(first, n).isZero(0.))
-          return false;
-      return true;
     }
   } // namespace
 
@@ -62,33 +37,9 @@ namespace swimtwin
         usual_by_sine_m_(resistance.usual_by_sine_m),
         usual_by_coordinate_(resistance.depends_on_height ? ShapeVector(resistance.usual_by_coordinate)
                                                           : ShapeVector(ShapeVector::Zero(parity.size()))),
-        monomials_(resistance.exponents, parity_of_variables(resistance, parity))
+        monomials_(resistance.exponents, parity_of_variables(resistance, parity)),
+        polynomials_(monomials_, coefficients_by_position(resistance, monomials_))
   {
-    const Eigen::MatrixXd by_position = coefficients_by_position(resistance, monomials_);
-    const Eigen::VectorXi mirror      = parity_of_velocities(parity);
-    Entries               even = entries_of_parity(mirror, 1), odd = entries_of_parity(mirror, -1);
-    const int             n_even = monomials_.n_even(), n_odd = monomials_.size() - n_even;
-    if (are_zero(by_position, even, n_even, n_odd) && are_zero(by_position, odd, 0, n_even))
-    {
-      add_block(by_position, even, 0, n_even);
-      add_block(by_position, odd, n_even, n_odd);
-      return;
-    }
-    even.insert(even.end(), odd.begin(), odd.end());
-    add_block(by_position, even, 0, monomials_.size());
-  }
-
-  void ResistanceSurrogate::add_block(const Eigen::MatrixXd &by_position, const Entries &entries, const int first,
-                                      const int n)
-  {
-    Block block{entries, first, n_rows_, Eigen::MatrixXd(static_cast<Eigen::Index>(entries.size()), n)};
-    for (Eigen::Index row = 0; row < block.coefficients.rows(); ++row)
-    {
-      const auto &[i, j]          = entries[static_cast<std::size_t>(row)];
-      block.coefficients.row(row) = by_position.row(entry_column(i, j)).segment(first, n);
-    }
-    n_rows_ += static_cast<int>(entries.size());
-    blocks_.push_back(std::move(block));
   }
 
   ResistanceFactor ResistanceSurrogate::make_factor() const
@@ -99,8 +50,8 @@ namespace swimtwin
     result.factor_derivatives = std::vector<VelocityMatrix>(static_cast<std::size_t>(m), VelocityMatrix::Zero(n, n));
     result.coordinate_slopes  = Eigen::MatrixXd::Zero(m, n - 3 + 2);
     result.coordinates        = Eigen::VectorXd::Zero(m);
-    result.monomials          = Eigen::MatrixXd::Zero(monomials_.size(), 1 + m);
-    result.polynomials        = Eigen::MatrixXd::Zero(n_rows_, 1 + m);
+    result.monomials          = Eigen::VectorXd::Zero(monomials_.size());
+    result.polynomials        = Eigen::VectorXd::Zero(polynomials_.n_results());
     return result;
   }
 
@@ -109,7 +60,7 @@ namespace swimtwin
   {
     set_coordinates(q, angle_rad, height_m, result);
     monomials_.evaluate(result.coordinates, result.monomials);
-    evaluate_polynomials(1, result);
+    polynomials_.evaluate(result.monomials, result.polynomials);
     set_factor(result);
   }
 
@@ -118,8 +69,8 @@ namespace swimtwin
   {
     set_coordinates(q, angle_rad, height_m, result);
     set_coordinate_slopes(q, angle_rad, height_m, result);
-    monomials_.evaluate_with_gradient(result.coordinates, result.monomials);
-    evaluate_polynomials(1 + n_coordinates(), result);
+    monomials_.evaluate(result.coordinates, result.monomials);
+    polynomials_.differentiate(result.monomials, result.polynomials);
     set_factor(result);
     set_factor_derivatives(result);
   }
@@ -213,23 +164,13 @@ namespace swimtwin
     return result;
   }
 
-  void ResistanceSurrogate::evaluate_polynomials(const int n_columns, ResistanceFactor &result) const
-  {
-    for (const Block &block : blocks_)
-    {
-      const auto n_entries = static_cast<Eigen::Index>(block.entries.size()), n = block.coefficients.cols();
-      result.polynomials.block(block.first_row, 0, n_entries, n_columns).noalias() =
-          block.coefficients * result.monomials.block(block.first_monomial, 0, n, n_columns);
-    }
-  }
-
   void ResistanceSurrogate::set_factor(ResistanceFactor &result) const
   {
-    for (const Block &block : blocks_)
-      for (std::size_t e = 0; e < block.entries.size(); ++e)
+    Eigen::Index entry = 0;
+    for (int i = 0; i < n_velocities(); ++i)
+      for (int j = 0; j <= i; ++j, ++entry)
       {
-        const auto &[i, j]  = block.entries[e];
-        const double value  = result.polynomials(block.first_row + static_cast<Eigen::Index>(e), 0);
+        const double value  = result.polynomials[polynomials_.value_place(entry)];
         result.factor(i, j) = i == j ? std::exp(value) : value;
       }
   }
@@ -237,13 +178,16 @@ namespace swimtwin
   void ResistanceSurrogate::set_factor_derivatives(ResistanceFactor &result) const
   {
     for (int k = 0; k < n_coordinates(); ++k)
-      for (const Block &block : blocks_)
-        for (std::size_t e = 0; e < block.entries.size(); ++e)
+    {
+      VelocityMatrix &derivative = result.factor_derivatives[static_cast<std::size_t>(k)];
+      Eigen::Index    entry      = 0;
+      for (int i = 0; i < n_velocities(); ++i)
+        for (int j = 0; j <= i; ++j, ++entry)
         {
-          const auto &[i, j] = block.entries[e];
-          const double slope = result.polynomials(block.first_row + static_cast<Eigen::Index>(e), 1 + k);
-          result.factor_derivatives[static_cast<std::size_t>(k)](i, j) = i == j ? result.factor(i, i) * slope : slope;
+          const double slope = result.polynomials[polynomials_.slope_place(entry, k)];
+          derivative(i, j)   = i == j ? result.factor(i, i) * slope : slope;
         }
+    }
   }
 
   VelocityMatrix ResistanceSurrogate::resistance(const ShapeVector &q, const double angle_rad,

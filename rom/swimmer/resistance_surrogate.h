@@ -2,7 +2,7 @@
 #pragma once
 
 #include <datasets/reduced/reduced_model.h>
-#include <rom/swimmer/monomial_table.h>
+#include <rom/swimmer/polynomial_family.h>
 #include <rom/swimmer/state_vectors.h>
 
 #include <vector>
@@ -17,8 +17,8 @@ namespace swimtwin
     std::vector<VelocityMatrix> factor_derivatives; ///< by the saturated coordinates
     Eigen::MatrixXd             coordinate_slopes;  ///< of the saturated coordinates by (q_1 .. q_r, angle, height)
 
-    Eigen::VectorXd coordinates;            ///< saturated
-    Eigen::MatrixXd monomials, polynomials; ///< values, then derivatives, as columns
+    Eigen::VectorXd coordinates; ///< saturated
+    Eigen::VectorXd monomials, polynomials;
   };
 
   /// Under the mirror y -> -y: of the variables z, the modes' own and -1 for angle and height, and of the velocities
@@ -65,31 +65,19 @@ namespace swimtwin
     double height_radius(const ShapeVector &q, double angle_rad, double height_m) const;
 
   private:
-    /// Polynomials of some entries of C: coefficients (entries x monomials) for monomials first .. first + n - 1.
-    struct Block
-    {
-      std::vector<std::pair<int, int>> entries;
-      int                              first_monomial = 0, first_row = 0;
-      Eigen::MatrixXd                  coefficients;
-    };
-
-    void   add_block(const Eigen::MatrixXd &by_position, const std::vector<std::pair<int, int>> &entries, int first,
-                     int n);
     double usual_height_m(const ShapeVector &q, double angle_rad) const;
     void   set_coordinates(const ShapeVector &q, double angle_rad, double height_m, ResistanceFactor &result) const;
-    void   evaluate_polynomials(int n_columns, ResistanceFactor &result) const;
     void   set_factor(ResistanceFactor &result) const;
     void   set_factor_derivatives(ResistanceFactor &result) const;
 
-    VelocityMatrix     factor_at_rest_;
-    ShapeVector        coordinate_scale_m_;
-    bool               depends_on_angle_  = false;
-    double             angle_scale_rad_   = 1.;
-    bool               depends_on_height_ = false;
-    double             height_scale_m_ = 1., usual_by_sine_m_ = 0.;
-    ShapeVector        usual_by_coordinate_;
-    MonomialTable      monomials_;
-    std::vector<Block> blocks_;
-    int                n_rows_ = 0;
+    VelocityMatrix   factor_at_rest_;
+    ShapeVector      coordinate_scale_m_;
+    bool             depends_on_angle_  = false;
+    double           angle_scale_rad_   = 1.;
+    bool             depends_on_height_ = false;
+    double           height_scale_m_ = 1., usual_by_sine_m_ = 0.;
+    ShapeVector      usual_by_coordinate_;
+    MonomialTable    monomials_;
+    PolynomialFamily polynomials_; ///< of the entries of C, row by row; logarithms of those on its diagonal
   };
 } // namespace swimtwin

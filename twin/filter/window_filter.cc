@@ -44,8 +44,8 @@ namespace swimtwin
   FilterNode &WindowFilter::append(const double time_s)
   {
     if (static_cast<std::size_t>(n_nodes_) == nodes_.size())
-      nodes_.emplace_back();
-    FilterNode &node = nodes_[static_cast<std::size_t>(n_nodes_++)];
+      nodes_.push_back(std::make_unique<FilterNode>());
+    FilterNode &node = *nodes_[static_cast<std::size_t>(n_nodes_++)];
     node.time_s      = time_s;
     node.observations.clear();
     node.innovations.clear();
@@ -62,10 +62,9 @@ namespace swimtwin
     const int n_steps = std::max(1, static_cast<int>(std::ceil(length / process_.largest_step_s() - 1e-9)));
     for (int i = 1; i <= n_steps; ++i)
     {
-      const double now_s = i == n_steps ? time_s : start_s + length * i / n_steps;
-      append(now_s);
-      FilterNode       &node   = nodes_[static_cast<std::size_t>(n_nodes_ - 1)];
-      const FilterNode &before = nodes_[static_cast<std::size_t>(n_nodes_ - 2)];
+      const double      now_s  = i == n_steps ? time_s : start_s + length * i / n_steps;
+      const FilterNode &before = latest();
+      FilterNode       &node   = append(now_s);
       node.transition.resize(process_.n_states(), process_.n_states());
       node.noise.resize(process_.n_states(), process_.n_noises());
       node.predicted    = before.filtered;
@@ -253,9 +252,10 @@ namespace swimtwin
     std::rotate(nodes_.begin(), nodes_.begin() + first, nodes_.begin() + n_nodes_);
     n_nodes_ -= first;
     // What the first one saw is part of its belief.
-    nodes_.front().predicted = nodes_.front().filtered;
-    nodes_.front().observations.clear();
-    nodes_.front().innovations.clear();
+    FilterNode &front = *nodes_.front();
+    front.predicted   = front.filtered;
+    front.observations.clear();
+    front.innovations.clear();
     std::erase_if(widenings_, [this](const Widening &w) { return w.time_s <= node(0).time_s; });
   }
 

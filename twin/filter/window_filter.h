@@ -8,6 +8,7 @@
 #include <twin/filter/system.h>
 
 #include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -78,7 +79,7 @@ namespace swimtwin
     bool widen(double from_s, double to_s, const Eigen::VectorXd &direction);
 
     int               n_nodes() const { return n_nodes_; }
-    const FilterNode &node(const int i) const { return nodes_[static_cast<std::size_t>(i)]; }
+    const FilterNode &node(const int i) const { return *nodes_[static_cast<std::size_t>(i)]; }
     const FilterNode &latest() const { return node(n_nodes_ - 1); }
     /// The belief carried to a later instant; nothing is kept. False if there is no way on.
     bool predict(double time_s, Belief &belief);
@@ -90,7 +91,7 @@ namespace swimtwin
     double gated_from_s = -1e300;
 
   private:
-    FilterNode &latest_node() { return nodes_[static_cast<std::size_t>(n_nodes_ - 1)]; }
+    FilterNode &latest_node() { return *nodes_[static_cast<std::size_t>(n_nodes_ - 1)]; }
     struct Widening
     {
       double          time_s = 0.;
@@ -118,10 +119,10 @@ namespace swimtwin
     Eigen::MatrixXd  slopes_, transition_, noise_;
     Eigen::VectorXd  residual_, shift_;
 
-    std::vector<FilterNode> nodes_; ///< the first n_nodes_ are in use, others keep their memory
-    int                     n_nodes_ = 0;
-    std::vector<Frame>      frames_; ///< gathered for a replay
-    std::size_t             n_frames_ = 0;
-    std::vector<Widening>   widenings_; ///< within the window
+    std::vector<std::unique_ptr<FilterNode>> nodes_; ///< the first n_nodes_ are in use, others keep their memory
+    int                                      n_nodes_ = 0;
+    std::vector<Frame>                       frames_; ///< gathered for a replay
+    std::size_t                              n_frames_ = 0;
+    std::vector<Widening>                    widenings_; ///< within the window
   };
 } // namespace swimtwin

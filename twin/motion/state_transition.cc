@@ -1,6 +1,8 @@
 #include <rom/swimmer/state_scale.h>
 #include <twin/motion/state_transition.h>
 
+#include <limits>
+
 // Letters: u = (angle, shape), before them the height if the resistance depends on it, behind them the velocities of
 // a swimmer with inertia; F = du/dt, J = dF/du,
 // Z_i = u_i - u_0 at the stages, h length of the step: Z_i = h sum_j A_ij F(u_0 + Z_j). What is left of the position
@@ -10,10 +12,11 @@ namespace swimtwin
 {
   namespace
   {
-    constexpr double newton_tolerance      = 1e-6; // of a radian and of a stroke; what is left is about its square
-    constexpr int    max_newton_iterations = 12;
-    constexpr double largest_correction    = 3.; // radians or strokes: beyond that it is lost
-  }                                              // namespace
+    constexpr double newton_tolerance       = 1e-6; // of a radian and of a stroke; what is left is about its square
+    constexpr int    n_corrections_by_start = 2;    // each costs a tenth of one with new slopes
+    constexpr int    max_newton_iterations  = 12;
+    constexpr double largest_correction     = 3.; // radians or strokes: beyond that it is lost
+  }                                               // namespace
 
   StateTransition::StateTransition(const ReducedSwimmer &swimmer)
       : swimmer_(swimmer), n_(swimmer.n_states()), k_(n_ - 2 + swimmer.resistance().depends_on_height()),
@@ -25,14 +28,22 @@ namespace swimtwin
     stages_.fill(swimmer.make_derivatives());
   }
 
-  void StateTransition::evaluate_stages(const SwimmerState &start, const SwimmerParameters &parameters)
+  void StateTransition::evaluate_stages(const SwimmerState &start, const SwimmerParameters &parameters,
+                                        const bool with_slopes)
   {
     for (int i = 0; i < n_stages; ++i)
     {
       SwimmerState state = start;
       state.tail(k_) += increments_.segment(i * k_, k_);
-      const auto place = static_cast<std::size_t>(i);
-      swimmer_.differentiate(state, fields_T_[place], parameters, motion_, stages_[place]);
+      const auto       place = static_cast<std::size_t>(i);
+      RateDerivatives &stage = stages_[place];
+      if (with_slopes)
+        swimmer_.differentiate(state, fields_T_[place], parameters, motion_, stage);
+      else
+      {
+        swimmer_.set_rate(state, fields_T_[place], parameters, motion_);
+        stage.rate = motion_.rate;
+      }
     }
   }
 
@@ -66,25 +77,38 @@ namespace swimtwin
     increments_ = factors_.solve(increments_).eval();
   }
 
+  /// Newton's correction of the increments with the factors at hand. Returns its size.
+  double StateTransition::correct_increments(const double length)
+  {
+    correction_ = -increments_;
+    for (int i = 0; i < n_stages; ++i)
+      for (int j = 0; j < n_stages; ++j)
+        correction_.segment(i * k_, k_) += length * rule_.A(i, j) * stages_[static_cast<std::size_t>(j)].rate.tail(k_);
+    correction_ = factors_.solve(correction_).eval();
+    increments_ += correction_;
+    double size = 0.;
+    for (int i = 0; i < n_stages; ++i)
+      size = std::max(size, correction_.segment(i * k_, k_).cwiseQuotient(scale_.tail(k_)).lpNorm<Eigen::Infinity>());
+    return correction_.allFinite() ? size : std::numeric_limits<double>::infinity();
+  }
+
+  /// First with the slopes at the start, for which rates are enough; then with those of the stages.
   bool StateTransition::solve_stages(const double length, const SwimmerState &start,
                                      const SwimmerParameters &parameters)
   {
     guess_increments(length, start, parameters);
+    for (int iteration = 0; iteration < n_corrections_by_start; ++iteration)
+    {
+      evaluate_stages(start, parameters, false);
+      if (correct_increments(length) > largest_correction * (iteration == 0 ? 10. : 1.))
+        return false;
+    }
     for (int iteration = 0; iteration < max_newton_iterations; ++iteration)
     {
-      evaluate_stages(start, parameters);
+      evaluate_stages(start, parameters, true);
       set_matrix(length, false);
-      correction_ = -increments_;
-      for (int i = 0; i < n_stages; ++i)
-        for (int j = 0; j < n_stages; ++j)
-          correction_.segment(i * k_, k_) +=
-              length * rule_.A(i, j) * stages_[static_cast<std::size_t>(j)].rate.tail(k_);
-      correction_ = factors_.solve(correction_).eval();
-      increments_ += correction_;
-      double size = 0.;
-      for (int i = 0; i < n_stages; ++i)
-        size = std::max(size, correction_.segment(i * k_, k_).cwiseQuotient(scale_.tail(k_)).lpNorm<Eigen::Infinity>());
-      if (!correction_.allFinite() || size > largest_correction * (iteration == 0 ? 10. : 1.))
+      const double size = correct_increments(length);
+      if (size > largest_correction)
         return false;
       if (size < newton_tolerance)
         return true;

@@ -40,11 +40,12 @@ namespace swimtwin
     using StageMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, max_size, max_size>;
     using StageVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, max_size, 1>;
 
-    void evaluate_stages(const SwimmerState &start, const SwimmerParameters &parameters);
-    void set_matrix(double length, bool at_start);
-    void guess_increments(double length, const SwimmerState &start, const SwimmerParameters &parameters);
-    bool solve_stages(double length, const SwimmerState &start, const SwimmerParameters &parameters);
-    void set_derivatives(double length, const SwimmerParameters &parameters);
+    void   evaluate_stages(const SwimmerState &start, const SwimmerParameters &parameters, bool with_slopes);
+    void   set_matrix(double length, bool at_start);
+    void   guess_increments(double length, const SwimmerState &start, const SwimmerParameters &parameters);
+    double correct_increments(double length);
+    bool   solve_stages(double length, const SwimmerState &start, const SwimmerParameters &parameters);
+    void   set_derivatives(double length, const SwimmerParameters &parameters);
 
     const ReducedSwimmer &swimmer_;
     Eigen::Index          n_, k_, free_; ///< states; those on which all depends; those on which nothing does
