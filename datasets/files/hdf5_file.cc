@@ -1,6 +1,7 @@
 #include <datasets/system/error.h>
 #include <datasets/files/hdf5_file.h>
 #include <datasets/files/hdf5_open.h>
+#include <datasets/files/hdf5_text.h>
 #include <datasets/files/output_folder.h>
 
 #include <fmt/format.h>
@@ -40,21 +41,6 @@ namespace swimtwin
       composed(H5Pset_libver_bounds(access.id(), H5F_LIBVER_V18, H5F_LIBVER_V18), "a file");
       const hid_t file = H5Fcreate("composed in memory", H5F_ACC_TRUNC, H5P_DEFAULT, access.id());
       return {composed(file, "a file"), H5Fclose};
-    }
-
-    Hdf5Handle make_text_type(const std::size_t size)
-    {
-      Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
-      H5Tset_size(type.id(), size);
-      H5Tset_cset(type.id(), H5T_CSET_UTF8);
-      H5Tset_strpad(type.id(), H5T_STR_NULLPAD);
-      return type;
-    }
-
-    /// HDF5 has no texts of length 0: an empty one is stored as a single zero byte.
-    std::string padded(const std::string &text)
-    {
-      return text.empty() ? std::string(1, '\0') : text;
     }
 
     /// Whether a file can hold what one of its objects claims to be: a damaged one may claim any size. Filters shrink
@@ -171,15 +157,8 @@ namespace swimtwin
 
   void Hdf5Writer::write_attribute(const std::string &path, const std::string &name, const std::string &text)
   {
-    const std::string stored = padded(text);
-    const Hdf5Handle  type   = make_text_type(stored.size());
-    const Hdf5Handle  space(H5Screate(H5S_SCALAR), H5Sclose);
-    const Hdf5Handle  object(composed(H5Oopen(file_.id(), path.c_str(), H5P_DEFAULT), path), H5Oclose);
-    const Hdf5Handle  attribute(
-         composed(H5Acreate2(object.id(), name.c_str(), type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT),
-                  path + " " + name),
-         H5Aclose);
-    composed(H5Awrite(attribute.id(), type.id(), stored.data()), path + " " + name);
+    const Hdf5Handle object(composed(H5Oopen(file_.id(), path.c_str(), H5P_DEFAULT), path), H5Oclose);
+    composed(write_text_attribute(object.id(), name, text) ? 0 : -1, path + " " + name);
   }
 
   void Hdf5Writer::write_attribute(const std::string &path, const std::string &name, const double value)

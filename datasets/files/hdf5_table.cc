@@ -1,5 +1,6 @@
 #include <datasets/files/hdf5_open.h>
 #include <datasets/files/hdf5_table.h>
+#include <datasets/files/hdf5_text.h>
 #include <datasets/system/error.h>
 
 #include <fmt/format.h>
@@ -36,12 +37,7 @@ namespace swimtwin
     void write_attribute(const hid_t object, const std::string &name, const std::string &text,
                          const std::filesystem::path &file)
     {
-      const Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose), space(H5Screate(H5S_SCALAR), H5Sclose);
-      H5Tset_size(type.id(), text.size() + 1);
-      H5Tset_cset(type.id(), H5T_CSET_UTF8);
-      const Hdf5Handle attribute(
-          done(H5Acreate2(object, name.c_str(), type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT), file), H5Aclose);
-      done(H5Awrite(attribute.id(), type.id(), text.c_str()), file);
+      done(write_text_attribute(object, name, text) ? 0 : -1, file);
     }
 
     /// None if it is no column of such a table.

@@ -170,7 +170,7 @@ namespace swimtwin
                      watchdog_.trust(node.time_s),
                      watchdog_.flags()};
     if (twin_.is_searching_delay())
-      r.flags.emplace_back("searching-delay");
+      r.flags.emplace_back(watch_flag::searching_delay);
     listeners_.say(estimate_line(twin_, r));
     listeners_.note(r);
     tell_now_and_then();
@@ -306,9 +306,10 @@ namespace swimtwin
     if (!pilot_ || is_repeating_ || !pilot_->is_due(clock_s_))
       return;
     const std::vector<std::string> flags = watchdog_.flags();
-    const bool has_sight    = twin_.has_started() && std::find(flags.begin(), flags.end(), "sight-lost") == flags.end();
-    const bool had_path     = pilot_->has_path();
-    const PlayRecord record = pilot_->decide(clock_s_, has_sight);
+    const bool                     has_sight =
+        twin_.has_started() && std::find(flags.begin(), flags.end(), watch_flag::sight_lost) == flags.end();
+    const bool       had_path = pilot_->has_path();
+    const PlayRecord record   = pilot_->decide(clock_s_, has_sight);
     forget_old_field();
     if (pilot_->has_path() && !had_path)
       listeners_.say(path_line(record.decided_s, pilot_->path()));

@@ -104,7 +104,7 @@ namespace swimtwin
     const bool is_full   = distances_.size() == static_cast<std::size_t>(options_.n_consistency);
     const bool is_judged = is_full && twin_.now_s() - twin_.started_s() > 2. * period_s_;
     consistency_         = is_judged ? upper_probability(sum_, n_degrees_) : 1.;
-    judge("inconsistent", consistency_ < options_.consistency, twin_.now_s(),
+    judge(watch_flag::inconsistent, consistency_ < options_.consistency, twin_.now_s(),
           fmt::format("the last {} innovations are {:.2f} times as large as they should be (squares)",
                       distances_.size(), n_degrees_ > 0 ? sum_ / n_degrees_ : 0.),
           "state larger sigmas, or let more parameters drift in [parameters]; do not trust the standard deviations",
@@ -117,7 +117,7 @@ namespace swimtwin
     const ShapeVector      q    = mean.segment(3, twin_.swimmer().n_modes());
     shape_radius_ =
         std::max(twin_.swimmer().resistance().shape_radius(q), twin_.swimmer().resistance().angle_radius(mean[2]));
-    judge("outside-trained-region", shape_radius_ > 1., twin_.now_s(),
+    judge(watch_flag::outside_trained_region, shape_radius_ > 1., twin_.now_s(),
           fmt::format("the shape is {:.2f} times the radius that the model was trained in", shape_radius_),
           "weaken the field, or train the model for larger strokes", changes);
   }
@@ -127,7 +127,7 @@ namespace swimtwin
     const double distance_m = domain_ ? wall_distance_m(*domain_, twin_.belief().mean.head<2>())
                                       : std::numeric_limits<double>::infinity(),
                  least_m    = options_.wall_clearance * twin_.swimmer().length_m();
-    judge("near-wall", distance_m < least_m, twin_.now_s(),
+    judge(watch_flag::near_wall, distance_m < least_m, twin_.now_s(),
           fmt::format("the head's centre is {:.3g} m from a wall of the model's domain", distance_m),
           "turn away; the model does not know the wall's drag there", changes);
   }
@@ -140,8 +140,8 @@ namespace swimtwin
     const Eigen::Vector2d moment(sign * std::cos(angle), sign * std::sin(angle));
     if (field_T.dot(moment) >= 0.)
       against_since_s_ = twin_.now_s();
-    judge("step-out", twin_.now_s() - against_since_s_ > 0.5 * options_.step_out_turns * period_s_, against_since_s_,
-          "the head points against the field and does not follow it",
+    judge(watch_flag::step_out, twin_.now_s() - against_since_s_ > 0.5 * options_.step_out_turns * period_s_,
+          against_since_s_, "the head points against the field and does not follow it",
           "play the field slower or stronger until the head follows, then go on", changes);
   }
 
@@ -152,14 +152,14 @@ namespace swimtwin
     if (!is_same)
       same_since_s_ = frame.time_s;
     last_seen_ = frame.observations;
-    judge("frozen", n_same_ >= options_.frozen_frames, same_since_s_,
+    judge(watch_flag::frozen, n_same_ >= options_.frozen_frames, same_since_s_,
           fmt::format("{} frames show exactly the same, to the last digit", n_same_),
           "look whether the camera or its tracker hangs", changes);
   }
 
   void Watchdog::judge_sight(const double time_s, std::vector<Alarm> &changes)
   {
-    judge("sight-lost", time_s - last_used_s_ > options_.sight_lost_s, last_used_s_,
+    judge(watch_flag::sight_lost, time_s - last_used_s_ > options_.sight_lost_s, last_used_s_,
           fmt::format("no frame could be used for {:.3g} s", time_s - last_used_s_),
           "play a safe field and look at the camera; the forecast goes on with the model alone", changes);
   }

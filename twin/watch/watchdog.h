@@ -13,13 +13,21 @@
 
 namespace swimtwin
 {
-  /// Alarms that last, as flags name them; "searching-delay" is of the session.
-  inline constexpr std::array<const char *, 7> watch_flags = {
-      "inconsistent", "outside-trained-region", "near-wall", "step-out", "frozen", "sight-lost", "searching-delay"};
+  /// Alarms that last, as flags name them; the last one is of the session.
+  namespace watch_flag
+  {
+    inline constexpr const char *inconsistent = "inconsistent", *outside_trained_region = "outside-trained-region",
+                                *near_wall = "near-wall", *step_out = "step-out", *frozen = "frozen",
+                                *sight_lost = "sight-lost", *searching_delay = "searching-delay";
+  }
+  inline constexpr std::array watch_flags = {watch_flag::inconsistent,   watch_flag::outside_trained_region,
+                                             watch_flag::near_wall,      watch_flag::step_out,
+                                             watch_flag::frozen,         watch_flag::sight_lost,
+                                             watch_flag::searching_delay};
 
   struct Alarm
   {
-    std::string name; ///< "sight-lost", "inconsistent", ...
+    std::string name; ///< a watch_flag, or "jump: " and what jumped
     double      since_s = 0.;
     std::string what, remedy;    ///< sentences
     bool        is_over = false; ///< it was on, and ended now
