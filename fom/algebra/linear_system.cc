@@ -12,7 +12,7 @@ namespace swimtwin
 {
   namespace
   {
-    constexpr int most_block_iterations = 150;
+    constexpr int most_block_iterations = 150, gmres_restart = 60;
 
     bool is_finite(const std::vector<double> &values)
     {
@@ -25,6 +25,23 @@ namespace swimtwin
       check_petsc(KSPGetPC(ksp, &pc), "made a solver");
       check_petsc(PCSetType(pc, type), "made a solver");
       check_petsc(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS), "chose MUMPS");
+    }
+
+    void set_up_iteration(const KSP ksp, const KSPType type, const PetscInt restart)
+    {
+      check_petsc(KSPSetType(ksp, type), "made a solver");
+      check_petsc(KSPGMRESSetRestart(ksp, restart), "made a solver");
+      check_petsc(KSPSetInitialGuessNonzero(ksp, PETSC_TRUE), "made a solver");
+    }
+
+    /// A preconditioner of our own.
+    void use_shell(const KSP ksp, void *context, PetscErrorCode (*apply)(PC, Vec, Vec))
+    {
+      PC pc;
+      check_petsc(KSPGetPC(ksp, &pc), "made a solver");
+      check_petsc(PCSetType(pc, PCSHELL), "made a solver");
+      check_petsc(PCShellSetContext(pc, context), "made a solver");
+      check_petsc(PCShellSetApply(pc, apply), "made a solver");
     }
 
     PetscInt sum_over_ranks(PetscInt value, const MPI_Comm communicator)
@@ -86,6 +103,9 @@ namespace swimtwin
   void LinearSystem::clear()
   {
     KSPDestroy(&block_ksp_);
+    KSPDestroy(&turned_ksp_);
+    VecDestroy(&turned_);
+    axes_ = {};
     blocks_.reset();
     VecDestroy(&masses_);
     VecScatterDestroy(&gather_);
@@ -124,9 +144,7 @@ namespace swimtwin
 
     check_petsc(KSPCreate(communicator_, &ksp_), "made a solver");
     check_petsc(KSPSetOperators(ksp_, matrix_, matrix_), "made a solver");
-    check_petsc(KSPSetType(ksp_, KSPGMRES), "made a solver");
-    check_petsc(KSPGMRESSetRestart(ksp_, 60), "made a solver");
-    check_petsc(KSPSetInitialGuessNonzero(ksp_, PETSC_TRUE), "made a solver");
+    set_up_iteration(ksp_, KSPGMRES, gmres_restart);
     check_petsc(KSPConvergedDefaultSetUIRNorm(ksp_), "made a solver");
     use_factors(ksp_, options_.positive_definite ? PCCHOLESKY : PCLU);
   }
@@ -167,21 +185,39 @@ namespace swimtwin
     check_petsc(VecDuplicate(rhs_, &masses_), "made vectors");
     check_petsc(KSPCreate(communicator_, &block_ksp_), "made a solver");
     check_petsc(KSPSetOperators(block_ksp_, matrix_, matrix_), "made a solver");
-    check_petsc(KSPSetType(block_ksp_, KSPFGMRES), "made a solver");
-    check_petsc(KSPGMRESSetRestart(block_ksp_, most_block_iterations), "made a solver");
-    check_petsc(KSPSetInitialGuessNonzero(block_ksp_, PETSC_TRUE), "made a solver");
+    set_up_iteration(block_ksp_, KSPFGMRES, most_block_iterations);
+    use_shell(block_ksp_, blocks_.get(), [](PC shell, Vec x, Vec y) -> PetscErrorCode {
+      void *blocks;
+      PCShellGetContext(shell, &blocks);
+      static_cast<BlockPreconditioner *>(blocks)->apply(x, y);
+      return 0;
+    });
+  }
+
+  void LinearSystem::set_axes(std::vector<TurnedAxes::Pair> pairs)
+  {
+    axes_.set_pairs(std::move(pairs), first_row_);
+    check_petsc(VecDuplicate(solution_, &turned_), "made vectors");
+    check_petsc(KSPCreate(communicator_, &turned_ksp_), "made a solver");
+    check_petsc(KSPSetOperators(turned_ksp_, matrix_, matrix_), "made a solver");
+    set_up_iteration(turned_ksp_, KSPGMRES, gmres_restart);
+    check_petsc(KSPConvergedDefaultSetUIRNorm(turned_ksp_), "made a solver");
+    use_shell(turned_ksp_, this, [](PC shell, Vec x, Vec y) -> PetscErrorCode {
+      void *system;
+      PCShellGetContext(shell, &system);
+      static_cast<LinearSystem *>(system)->apply_turned_factors(x, y);
+      return 0;
+    });
+  }
+
+  void LinearSystem::apply_turned_factors(const Vec x, const Vec y)
+  {
     PC pc;
-    check_petsc(KSPGetPC(block_ksp_, &pc), "made a solver");
-    check_petsc(PCSetType(pc, PCSHELL), "made a solver");
-    check_petsc(PCShellSetContext(pc, blocks_.get()), "made a solver");
-    check_petsc(PCShellSetApply(pc,
-                                [](PC shell, Vec x, Vec y) -> PetscErrorCode {
-                                  void *blocks;
-                                  PCShellGetContext(shell, &blocks);
-                                  static_cast<BlockPreconditioner *>(blocks)->apply(x, y);
-                                  return 0;
-                                }),
-                "made a solver");
+    check_petsc(KSPGetPC(ksp_, &pc), "solved");
+    VecCopy(x, turned_);
+    axes_.to_factors(turned_);
+    check_petsc(PCApply(pc, turned_, y), "solved");
+    axes_.from_factors(y);
   }
 
   void LinearSystem::set_masses(const std::vector<double> &contributions)
@@ -261,8 +297,9 @@ namespace swimtwin
     check_petsc(KSPSetReusePreconditioner(ksp_, PETSC_FALSE), "set up a solver");
     // Tell the preconditioner that the values changed, then factorise here so that its time is counted here.
     check_petsc(KSPSetOperators(ksp_, matrix_, matrix_), "set up a solver");
-    has_factors_         = set_up_factors() || set_up_factors_in_larger_workspace();
-    factors_are_old_     = !has_factors_;
+    has_factors_     = set_up_factors() || set_up_factors_in_larger_workspace();
+    factors_are_old_ = !has_factors_;
+    axes_.note_factors();
     solves_with_factors_ = 0;
     effort_with_factors_ = options_.factorization_effort;
     if (!has_factors_)
@@ -288,10 +325,11 @@ namespace swimtwin
     double guess_norm;
     VecNorm(solution_, NORM_2, &guess_norm);
     const bool has_guess = guess_norm > 0.;
-    check_petsc(KSPSetTolerances(ksp_, (has_guess ? 1e-3 : 1.) * tolerance_,
+    const KSP  ksp       = turned_ksp_ ? turned_ksp_ : ksp_;
+    check_petsc(KSPSetTolerances(ksp, (has_guess ? 1e-3 : 1.) * tolerance_,
                                  has_guess ? tolerance_ * guess_norm : 1e-300, 1e10, options_.max_stale_iterations),
                 "set up a solver");
-    return iterate(ksp_);
+    return iterate(ksp);
   }
 
   double LinearSystem::residual_norm()

@@ -3,6 +3,7 @@
 
 #include <datasets/scene/scene.h>
 #include <fom/algebra/block_preconditioner.h>
+#include <fom/algebra/turned_axes.h>
 
 #include <petscksp.h>
 
@@ -55,6 +56,11 @@ namespace swimtwin
     /// mesh behind them, which says how far factors fill in. Collective; throws ComputationError for want of memory.
     void set_pattern(PetscInt first_row, PetscInt last_row, std::vector<PetscInt> rows, std::vector<PetscInt> columns,
                      int dimension = 2);
+    /// For a solver with factors: which of this rank's unknowns turn with a body, so that old factors are used in axes
+    /// that have turned too. After the pattern; collective.
+    void set_axes(std::vector<TurnedAxes::Pair> pairs);
+    /// How they are turned, as TurnedAxes::set_angles; with the matrix.
+    void turn_axes(std::vector<double> angles) { axes_.set_angles(std::move(angles)); }
     /// For an iterative solver: what this rank's unknowns are. Collective.
     void set_kinds(const std::vector<UnknownKind> &kinds);
     /// The same: this rank's contributions to the diagonal of the pressures' mass matrix over the viscosity, of full
@@ -93,6 +99,7 @@ namespace swimtwin
     void clear();
     void note_effort(int iterations);
     bool factorize();
+    void apply_turned_factors(Vec x, Vec y);
     bool set_up_factors();
     bool set_up_factors_in_larger_workspace();
     /// From the solution as it is, to the tolerances of this solver.
@@ -125,8 +132,11 @@ namespace swimtwin
     Vec                                  gathered_   = nullptr;
     VecScatter                           gather_     = nullptr;
     KSP                                  ksp_        = nullptr;
-    Vec                                  masses_     = nullptr; ///< of pressures
-    KSP                                  block_ksp_  = nullptr;
+    KSP                                  turned_ksp_ = nullptr; ///< with the factors of ksp_, in turned axes
+    Vec                                  turned_     = nullptr;
+    TurnedAxes                           axes_;
+    Vec                                  masses_    = nullptr; ///< of pressures
+    KSP                                  block_ksp_ = nullptr;
     PetscInt                             size_ = 0, first_row_ = 0, last_row_ = 0;
     std::unique_ptr<BlockPreconditioner> blocks_;
     bool                                 has_factors_ = false, factors_are_old_ = true, factors_are_worn_ = false;

@@ -3,10 +3,12 @@
 #include <datasets/scene/mirror_plane.h>
 #include <fom/body/tail_rows.h>
 #include <fom/fluid/fluid_blocks.h>
+#include <fom/geometry/turns_in_plane.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <numeric>
+#include <utility>
 
 namespace swimtwin
 {
@@ -91,6 +93,52 @@ namespace swimtwin
     condensation_.lay_out(system_);
     if (fluid_ && system_.is_iterative())
       system_.set_kinds(own_kinds(*fluid_, map_));
+    else if (fluid_ && moves_in_plane(swimmer_.scene()))
+      describe_axes();
+  }
+
+  template <int dim>
+  void CoupledSystem<dim>::describe_axes()
+  {
+    std::vector<TurnedAxes::Pair> pairs;
+    std::vector<char>             is_taken(map_.n_unknowns(), false);
+    // A vector of its own, not an image or tied to others; the head's comes last.
+    const auto add = [&](const unsigned int x, const unsigned int y) {
+      const auto own = [&](const unsigned int row) {
+        return map_.end(row) - map_.begin(row) == 1 && map_.begin(row)->coefficient == 1. &&
+               map_.begin(row)->unknown >= map_.first_owned() && map_.begin(row)->unknown < map_.last_owned() &&
+               map_.begin(row)->unknown < map_.first_head_unknown();
+      };
+      if (!own(x) || !own(y) || std::exchange(is_taken[map_.begin(x)->unknown], true))
+        return false;
+      pairs.push_back({static_cast<PetscInt>(map_.begin(x)->unknown), static_cast<PetscInt>(map_.begin(y)->unknown)});
+      return true;
+    };
+    for (unsigned int i = 0; i < fluid_->mesh().n_nodes(); ++i)
+      if (add(fluid_->numbering().vector_index(i, 0), fluid_->numbering().vector_index(i, 1)))
+        turning_fluid_nodes_.push_back(i);
+    for (unsigned int a = 0; swimmer_.has_tail() && a < swimmer_.tail().mesh.n_nodes(); ++a)
+      if (add(tail_row(a, 0), tail_row(a, 1)))
+        ++n_turning_tail_nodes_;
+    const auto x = map_.head_unknown(0), y = map_.head_unknown(1);
+    head_turns_ = x && y && *x >= map_.first_owned() && *x < map_.last_owned();
+    if (head_turns_)
+      pairs.push_back({static_cast<PetscInt>(*x), static_cast<PetscInt>(*y)});
+    system_.set_axes(std::move(pairs));
+  }
+
+  template <int dim>
+  std::vector<double> CoupledSystem<dim>::turns(const Configuration<dim> &configuration) const
+  {
+    std::vector<double>       angles;
+    const std::vector<double> of_fluid = turns_in_plane(fluid_->mesh(), fluid_->positions());
+    for (const unsigned int i : turning_fluid_nodes_)
+      angles.push_back(of_fluid[i]);
+    // A tail turns as a whole, or what is stiff in it would not fit.
+    const Tensor<2, dim> R     = configuration.pose.rotation();
+    const double         angle = std::atan2(R[1][0], R[0][0]);
+    angles.insert(angles.end(), n_turning_tail_nodes_ + head_turns_, angle);
+    return angles;
   }
 
   template <int dim>
@@ -194,6 +242,8 @@ namespace swimtwin
       assemble_tail_inertia(point);
     if (point.known_velocities && swimmer_.inertia().head && map_.head_is_free())
       assemble_head_inertia(point);
+    if (fluid_ && !system_.is_iterative() && moves_in_plane(swimmer_.scene()))
+      system_.turn_axes(turns(point.configuration));
     system_.set_matrix(condensation_.values(), !(fluid_ && fluid_->solves_for_convection()));
     system_.set_right_hand_side(condensation_.right_hand_side());
     if (fluid_ && system_.is_iterative())

@@ -68,6 +68,9 @@ namespace swimtwin
     void give_motion(const LinearizationPoint<dim> &point);
     void describe_mirror();
     void lay_out();
+    void describe_axes();
+    /// How far fluid, tail and head have turned where their vectors are unknowns.
+    std::vector<double> turns(const Configuration<dim> &configuration) const;
     /// Linearised forces of one tail cell: rows and columns are its nodes' velocities without the head's rotation.
     struct TailCellSystem
     {
@@ -106,6 +109,9 @@ namespace swimtwin
     MirrorPairs<dim>                       tail_pairs_; ///< when half of the scene is solved
     MotionMap<dim>                         map_;
     Condensation<dim>                      condensation_;
+    std::vector<unsigned int>              turning_fluid_nodes_; ///< whose vectors are unknowns of this rank
+    unsigned int                           n_turning_tail_nodes_ = 0;
+    bool                                   head_turns_           = false;
     std::vector<unsigned int>              tail_cells_;          ///< owned, no images
     unsigned int                           first_tail_cell_ = 0; ///< its number in the condensation
     unsigned int                           first_mass_cell_ = 0;

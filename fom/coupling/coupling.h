@@ -102,7 +102,7 @@ namespace swimtwin
   template <int dim>
   std::unique_ptr<Coupling<dim>> make_coupling(const Swimmer<dim> &swimmer, MPI_Comm communicator);
 
-  LinearSolverOptions solver_options(const Numerics &numerics);
+  LinearSolverOptions solver_options(const Numerics &numerics, int dimension);
 
   /// Two steps' solutions extrapolated linearly to the next; the last one if there is no other.
   std::vector<double> extrapolate(const std::vector<double> &now, const std::vector<double> &before, double growth);

@@ -16,9 +16,9 @@ namespace swimtwin
     constexpr double tail_tolerance_share = 1e-2;
 
     /// By factors, whatever their size: it has two matrices, and uses each once.
-    LinearSolverOptions factors(const Numerics &numerics)
+    LinearSolverOptions factors(const Numerics &numerics, const int dimension)
     {
-      LinearSolverOptions options = solver_options(numerics);
+      LinearSolverOptions options = solver_options(numerics, dimension);
       options.method              = LinearSolver::direct;
       return options;
     }
@@ -27,7 +27,7 @@ namespace swimtwin
   template <int dim>
   FixedPointCoupling<dim>::FixedPointCoupling(const Swimmer<dim> &swimmer, const MPI_Comm communicator)
       : swimmer_(swimmer), numerics_(swimmer.scene().numerics), communicator_(communicator),
-        flow_solver_(communicator, factors(numerics_)), tail_(swimmer, factors(numerics_), communicator),
+        flow_solver_(communicator, factors(numerics_, dim)), tail_(swimmer, factors(numerics_, dim), communicator),
         acceleration_(make_acceleration(numerics_))
   {
   }

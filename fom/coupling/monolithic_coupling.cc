@@ -27,7 +27,8 @@ namespace swimtwin
   template <int dim>
   MonolithicCoupling<dim>::MonolithicCoupling(const Swimmer<dim> &swimmer, const MPI_Comm communicator)
       : swimmer_(swimmer), numerics_(swimmer.scene().numerics), communicator_(communicator),
-        solver_(communicator, solver_options(numerics_)), area_at_rest_(swimmer.volume(swimmer.configuration_at_rest()))
+        solver_(communicator, solver_options(numerics_, dim)),
+        area_at_rest_(swimmer.volume(swimmer.configuration_at_rest()))
   {
     // The flow depends on the shape: in a time step weakly, in a steady state as strongly as it likes.
     if (swimmer.scene().time.is_steady && swimmer.scene().fluid && swimmer.can_bend())

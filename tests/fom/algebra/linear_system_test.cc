@@ -67,6 +67,57 @@ namespace swimtwin
         largest = std::max(largest, std::abs(solution[i] - wave()[i]));
       return largest;
     }
+
+    // The vectors of a chain, which is stiffer along one direction than across, and what becomes of it when they turn.
+    Chain chain_of_vectors(const double angle)
+    {
+      const double c = std::cos(angle), s = std::sin(angle), along = 5., across = 1.;
+      const double K[2][2] = {{along * c * c + across * s * s, (along - across) * c * s},
+                              {(along - across) * c * s, along * s * s + across * c * c}};
+      const Chain  chain(0.);
+      Chain        vectors = chain;
+      vectors.rows.clear();
+      vectors.columns.clear();
+      vectors.values.clear();
+      for (std::size_t k = 0; k < chain.values.size(); ++k)
+        for (int i = 0; i < 2; ++i)
+          for (int j = 0; j < 2; ++j)
+            if (chain.rows[k] < n / 2 && chain.columns[k] < n / 2)
+            {
+              vectors.rows.push_back(2 * chain.rows[k] + i);
+              vectors.columns.push_back(2 * chain.columns[k] + j);
+              vectors.values.push_back(chain.values[k] * K[i][j]);
+            }
+      return vectors;
+    }
+
+    TEST(LinearSystem, FactorsOfABodySolveForTheTurnedBodyInTurnedAxes)
+    {
+      for (const bool knows_axes : {true, false})
+      {
+        const Chain         chain   = chain_of_vectors(0.);
+        LinearSolverOptions options = {.tolerance = 1e-10};
+        options.symmetric           = true;
+        LinearSystem system(MPI_COMM_SELF, options);
+        system.set_pattern(0, n, chain.rows, chain.columns);
+        std::vector<TurnedAxes::Pair> pairs;
+        for (PetscInt k = 0; k < n / 2; ++k)
+          pairs.push_back({2 * k, 2 * k + 1});
+        if (knows_axes)
+          system.set_axes(pairs);
+        std::vector<double> solution(n, 0.);
+        ASSERT_TRUE(solve_for_wave(system, chain, solution));
+        const int n_before = system.counts().n_iterations;
+        if (knows_axes)
+          system.turn_axes(std::vector<double>(n / 2, 0.4));
+        std::fill(solution.begin(), solution.end(), 0.);
+        ASSERT_TRUE(solve_for_wave(system, chain_of_vectors(0.4), solution));
+        for (PetscInt i = 0; i < n; ++i)
+          EXPECT_NEAR(solution[i], wave()[i], 1e-8);
+        const int n_iterations = system.counts().n_iterations - n_before;
+        EXPECT_EQ(n_iterations == 1 && system.counts().n_factorizations == 1, knows_axes) << n_iterations;
+      }
+    }
   } // namespace
 
   TEST(LinearSystem, SolvesToItsTolerance)
