@@ -5,6 +5,7 @@
 
 #include <gmsh.h>
 
+#include <cmath>
 #include <numeric>
 #include <string>
 #include <unordered_map>
@@ -76,9 +77,13 @@ namespace swimtwin
 
     using Segment = std::array<Point<2>, 2>;
 
+    /// Positive to the left, negative to the right, zero straight on, up to round-off: pieces of one side are on a
+    /// line, and do not cross.
     double turn(const Point<2> &a, const Point<2> &b, const Point<2> &c)
     {
-      return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+      constexpr double round_off = 1e-10; // a sine
+      const double     turn      = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+      return std::abs(turn) > round_off * a.distance(b) * a.distance(c) ? turn : 0.;
     }
 
     bool cross(const Segment &s, const Segment &t)

@@ -135,6 +135,28 @@ namespace swimtwin
     EXPECT_EQ(corner_list(mirrored, 1.), corner_list(plain, -1.));
   }
 
+  // Pieces of one straight side are on a line but for round-off, which must not make them cross each other.
+  TEST(Triangulate, StraightSidesInPiecesCrossNothingHoweverTheyAreTurned)
+  {
+    constexpr int n_pieces = 24, n_angles = 200;
+    for (int k = 0; k < n_angles; ++k)
+    {
+      const double   angle = -1. + 2. * k / n_angles;
+      PlanarRegion   bar;
+      const Point<2> corners[] = {{0., 0.}, {1.1e-3, 0.}, {1.1e-3, 3e-4}, {0., 3e-4}};
+      for (int side = 0; side < 4; ++side)
+        for (int i = 0; i < n_pieces; ++i)
+        {
+          const double   share = std::pow(double(i) / n_pieces, 1.3);
+          const Point<2> x     = corners[side] + share * (corners[(side + 1) % 4] - corners[side]);
+          bar.outer.emplace_back(std::cos(angle) * x[0] - std::sin(angle) * x[1],
+                                 std::sin(angle) * x[0] + std::cos(angle) * x[1]);
+        }
+      bar.size = [](const Point<2> &) { return 1e-3; };
+      EXPECT_NO_THROW(triangulate(bar, MPI_COMM_WORLD)) << angle;
+    }
+  }
+
   TEST(Triangulate, CrossingOutlinesAreAFailureThatSaysWhatToCheck)
   {
     PlanarRegion bow_tie;
