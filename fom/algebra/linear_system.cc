@@ -325,7 +325,7 @@ namespace swimtwin
     double guess_norm;
     VecNorm(solution_, NORM_2, &guess_norm);
     const bool has_guess = guess_norm > 0.;
-    const KSP  ksp       = turned_ksp_ ? turned_ksp_ : ksp_;
+    const KSP  ksp       = has_axes() ? turned_ksp_ : ksp_;
     check_petsc(KSPSetTolerances(ksp, (has_guess ? 1e-3 : 1.) * tolerance_,
                                  has_guess ? tolerance_ * guess_norm : 1e-300, 1e10, options_.max_stale_iterations),
                 "set up a solver");

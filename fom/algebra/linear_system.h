@@ -59,6 +59,7 @@ namespace swimtwin
     /// For a solver with factors: which of this rank's unknowns turn with a body, so that old factors are used in axes
     /// that have turned too. After the pattern; collective.
     void set_axes(std::vector<TurnedAxes::Pair> pairs);
+    bool has_axes() const { return turned_ksp_ != nullptr; }
     /// How they are turned, as TurnedAxes::set_angles; with the matrix.
     void turn_axes(std::vector<double> angles) { axes_.set_angles(std::move(angles)); }
     /// For an iterative solver: what this rank's unknowns are. Collective.

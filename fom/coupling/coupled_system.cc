@@ -242,7 +242,7 @@ namespace swimtwin
       assemble_tail_inertia(point);
     if (point.known_velocities && swimmer_.inertia().head && map_.head_is_free())
       assemble_head_inertia(point);
-    if (fluid_ && !system_.is_iterative() && moves_in_plane(swimmer_.scene()))
+    if (system_.has_axes())
       system_.turn_axes(turns(point.configuration));
     system_.set_matrix(condensation_.values(), !(fluid_ && fluid_->solves_for_convection()));
     system_.set_right_hand_side(condensation_.right_hand_side());

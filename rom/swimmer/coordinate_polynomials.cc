@@ -6,20 +6,9 @@
 
 namespace swimtwin
 {
-  namespace
-  {
-    Eigen::MatrixXd ordered_as(const MonomialTable &table, const Eigen::MatrixXd &coefficients)
-    {
-      Eigen::MatrixXd ordered = Eigen::MatrixXd::Zero(coefficients.cols(), table.size());
-      for (Eigen::Index row = 0; row < coefficients.rows(); ++row)
-        ordered.col(table.position_of_row(static_cast<int>(row))) += coefficients.row(row).transpose();
-      return ordered;
-    }
-  } // namespace
-
   CoordinatePolynomials::CoordinatePolynomials(const ShapePolynomials &polynomials, const Eigen::VectorXi &parity)
       : size_(static_cast<int>(polynomials.coefficients.cols())), inverse_scale_(polynomials.scale_m.cwiseInverse()),
-        monomials_(polynomials.exponents, parity), family_(monomials_, ordered_as(monomials_, polynomials.coefficients))
+        monomials_(polynomials.exponents, parity), family_(monomials_, polynomials.coefficients)
   {
     if (monomials_.size() > max_monomials)
       throw InputError("the reduced model has more monomials of its shape than this program computes with: train it "

@@ -4,7 +4,16 @@ namespace swimtwin
 {
   namespace
   {
-    /// The first polynomial's derivatives by the first coordinate, of all polynomials; then those by the second, ...
+    /// One polynomial per row, columns as the table orders the monomials.
+    Eigen::MatrixXd by_position(const MonomialTable &monomials, const Eigen::MatrixXd &coefficients)
+    {
+      Eigen::MatrixXd ordered = Eigen::MatrixXd::Zero(coefficients.cols(), monomials.size());
+      for (Eigen::Index row = 0; row < coefficients.rows(); ++row)
+        ordered.col(monomials.position_of_row(static_cast<int>(row))) += coefficients.row(row).transpose();
+      return ordered;
+    }
+
+    /// The derivatives of all polynomials by the first coordinate, then those by the second, ...
     Eigen::MatrixXd derivatives(const MonomialTable &monomials, const Eigen::MatrixXd &coefficients)
     {
       const Eigen::Index n      = coefficients.rows();
@@ -31,10 +40,11 @@ namespace swimtwin
   } // namespace
 
   PolynomialFamily::PolynomialFamily(const MonomialTable &monomials, const Eigen::MatrixXd &coefficients)
-      : places_(coefficients.rows(), 1 + monomials.n_coordinates())
+      : places_(coefficients.cols(), 1 + monomials.n_coordinates())
   {
-    add_products(monomials, coefficients, 0, values_);
-    add_products(monomials, derivatives(monomials, coefficients), 1, slopes_);
+    const Eigen::MatrixXd values = by_position(monomials, coefficients);
+    add_products(monomials, values, 0, values_);
+    add_products(monomials, derivatives(monomials, values), 1, slopes_);
   }
 
   /// One product for the even polynomials, one for the odd ones, and one for those that are neither.

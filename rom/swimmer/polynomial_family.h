@@ -12,7 +12,7 @@ namespace swimtwin
   class PolynomialFamily
   {
   public:
-    /// `coefficients`: one polynomial per row, columns as the table orders the monomials.
+    /// `coefficients` as models hold them: one polynomial per column, one row per row of the table's exponents.
     PolynomialFamily(const MonomialTable &monomials, const Eigen::MatrixXd &coefficients);
 
     int n_results() const { return n_results_; }

@@ -18,18 +18,6 @@ namespace swimtwin
     return parity;
   }
 
-  namespace
-  {
-    /// Columns: monomials as the table orders them. Rows: entries of C.
-    Eigen::MatrixXd coefficients_by_position(const ReducedResistance &resistance, const MonomialTable &monomials)
-    {
-      Eigen::MatrixXd by_position = Eigen::MatrixXd::Zero(resistance.coefficients.cols(), monomials.size());
-      for (int f = 0; f < resistance.coefficients.rows(); ++f)
-        by_position.col(monomials.position_of_row(f)) += resistance.coefficients.row(f).transpose();
-      return by_position;
-    }
-  } // namespace
-
   ResistanceSurrogate::ResistanceSurrogate(const ReducedResistance &resistance, const Eigen::VectorXi &parity)
       : factor_at_rest_(resistance.factor_at_rest), coordinate_scale_m_(resistance.coordinate_scale_m),
         depends_on_angle_(resistance.depends_on_angle), angle_scale_rad_(resistance.angle_scale_rad),
@@ -38,7 +26,7 @@ namespace swimtwin
         usual_by_coordinate_(resistance.depends_on_height ? ShapeVector(resistance.usual_by_coordinate)
                                                           : ShapeVector(ShapeVector::Zero(parity.size()))),
         monomials_(resistance.exponents, parity_of_variables(resistance, parity)),
-        polynomials_(monomials_, coefficients_by_position(resistance, monomials_))
+        polynomials_(monomials_, resistance.coefficients)
   {
   }
 

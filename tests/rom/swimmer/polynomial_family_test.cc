@@ -27,10 +27,7 @@ namespace swimtwin
     protected:
       PolynomialFamilyTest()
       {
-        Eigen::MatrixXd coefficients = Eigen::MatrixXd::Zero(by_row.rows(), monomials.size());
-        for (int f = 0; f < exponents.rows(); ++f)
-          coefficients.col(monomials.position_of_row(f)) = by_row.col(f);
-        family.emplace(monomials, coefficients);
+        family.emplace(monomials, by_row.transpose());
         results.setConstant(family->n_results(), NAN);
         values.resize(monomials.size());
         monomials.evaluate(z, values);
