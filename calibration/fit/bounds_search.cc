@@ -31,6 +31,11 @@ namespace swimtwin
       return start;
     }
 
+    Eigen::VectorXd groups_of_first_start(const FitInput &input)
+    {
+      return MotionGroups(input.model).values(input.map.swimmer(first_start(input)));
+    }
+
     std::vector<double> objectives(const MinimizationProblem &problem, const Eigen::MatrixXd &points)
     {
       std::vector<double> values;
@@ -103,6 +108,7 @@ namespace swimtwin
                                   {.relative_tolerance  = tolerance,
                                    .interpolation_error = interpolation_error,
                                    .n_threads           = input.n_threads,
+                                   .narrow_around       = groups_of_first_start(input),
                                    .on_progress         = [&input](const double done) { input.show("search", done); }},
                                   search.n_runs);
     }

@@ -46,11 +46,12 @@ namespace swimtwin
       return std::move(*best);
     }
 
-    /// The best of these minima, on a table of its own.
+    /// The best of these minima, on a table of its own. A minimum outside the search's table is a guess.
     Estimate refine(const FitInput &input, const std::vector<Eigen::VectorXd> &minima, Estimate estimate)
     {
       const double expected = estimate.search.minima[static_cast<std::size_t>(estimate.search.best)].objective;
-      if (minima.size() > 1 || size_of_residuals(input, expected) > far_residuals)
+      const bool is_known = !estimate.search.table || estimate.search.table->covers(input.map.swimmer(minima.front()));
+      if (minima.size() > 1 || !is_known || size_of_residuals(input, expected) > far_residuals)
         estimate = best_of(input, minima, std::move(estimate));
       else
         start_at(input, minima.front(), estimate);

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <numeric>
 
 namespace swimtwin
 {
@@ -25,10 +23,47 @@ namespace swimtwin
       return std::clamp(n, 3, options.largest_n_nodes);
     }
 
-    /// Extrema of the polynomial of degree n - 1, in [-1, 1].
-    double chebyshev_node(const int k, const int n)
+    NodeGrid grid_of(const GroupBox &box, const TableOptions &options)
     {
-      return n == 1 ? 0. : -std::cos(std::numbers::pi * k / (n - 1));
+      std::vector<int> n_nodes;
+      for (Eigen::Index g = 0; g < box.lower.size(); ++g)
+        n_nodes.push_back(n_nodes_for(0.5 * (box.upper[g] - box.lower[g]), options));
+      return {box, n_nodes};
+    }
+
+    struct NodeValues
+    {
+      Eigen::MatrixXd          displacement_m; ///< conditions x nodes
+      std::vector<std::size_t> failed;         ///< nodes
+      std::string              failure;
+    };
+
+    NodeValues values_at(const NodeGrid &grid, const CalibrationModel &model,
+                         const std::vector<SwimmingCondition> &conditions, const TableOptions &options)
+    {
+      const MotionGroups groups(model);
+      NodeValues         values;
+      values.displacement_m.resize(static_cast<Eigen::Index>(conditions.size()),
+                                   static_cast<Eigen::Index>(grid.size()));
+      std::mutex  reporting;
+      std::size_t n_done = 0;
+      parallel_for(grid.size(), options.n_threads, [&] {
+        auto exact = std::make_shared<ExactDisplacements>(
+            model, conditions, ExactOptions{.relative_tolerance = options.relative_tolerance, .by = {}});
+        return [&, exact](const std::size_t i) {
+          const Displacements  &at = exact->evaluate(groups.swimmer(grid.node(i)), false);
+          const std::lock_guard lock(reporting);
+          values.displacement_m.col(static_cast<Eigen::Index>(i)) = at.value_m;
+          if (at.failed())
+          {
+            values.failed.push_back(i);
+            values.failure = at.failure;
+          }
+          if (options.on_progress)
+            options.on_progress(static_cast<double>(++n_done) / static_cast<double>(grid.size()));
+        };
+      });
+      return values;
     }
 
     /// T_0 .. T_{n-1}, or their derivatives.
@@ -53,9 +88,11 @@ namespace swimtwin
     }
   } // namespace
 
-  DisplacementTable::DisplacementTable(const CalibrationModel &model, const GroupBox &box, std::vector<int> n_nodes)
-      : groups_(model), box_(box), n_nodes_(std::move(n_nodes))
+  DisplacementTable::DisplacementTable(const CalibrationModel &model, const NodeGrid &grid,
+                                       const Eigen::MatrixXd &values)
+      : groups_(model), box_(grid.box()), n_nodes_(grid.n_nodes())
   {
+    set_coefficients(values);
   }
 
   std::unique_ptr<DisplacementTable> DisplacementTable::make(const CalibrationModel               &model,
@@ -63,53 +100,23 @@ namespace swimtwin
                                                              const GroupBox &box, const TableOptions &options,
                                                              std::string &failure)
   {
-    std::vector<int> n_nodes;
-    for (Eigen::Index g = 0; g < box.lower.size(); ++g)
-      n_nodes.push_back(n_nodes_for(0.5 * (box.upper[g] - box.lower[g]), options));
-    auto table = std::unique_ptr<DisplacementTable>(new DisplacementTable(model, box, n_nodes));
-    failure    = table->fill(model, conditions, options);
-    return failure.empty() ? std::move(table) : nullptr;
-  }
-
-  Eigen::VectorXd DisplacementTable::node(std::size_t index) const
-  {
-    Eigen::VectorXd place(box_.lower.size());
-    for (Eigen::Index g = 0; g < place.size(); ++g)
+    std::optional<GroupBox> left   = box;
+    long                    n_runs = 0;
+    while (left)
     {
-      const int n = n_nodes_[static_cast<std::size_t>(g)];
-      const int k = static_cast<int>(index % static_cast<std::size_t>(n));
-      index /= static_cast<std::size_t>(n);
-      place[g] = 0.5 * (box_.lower[g] + box_.upper[g]) + 0.5 * (box_.upper[g] - box_.lower[g]) * chebyshev_node(k, n);
+      const NodeGrid   grid   = grid_of(*left, options);
+      const NodeValues values = values_at(grid, model, conditions, options);
+      n_runs += static_cast<long>(grid.size() * conditions.size());
+      failure = values.failure;
+      if (values.failed.empty())
+      {
+        auto table     = std::unique_ptr<DisplacementTable>(new DisplacementTable(model, grid, values.displacement_m));
+        table->n_runs_ = n_runs;
+        return table;
+      }
+      left = options.narrow_around ? grid.without(values.failed, *options.narrow_around) : std::nullopt;
     }
-    return place;
-  }
-
-  std::string DisplacementTable::fill(const CalibrationModel &model, const std::vector<SwimmingCondition> &conditions,
-                                      const TableOptions &options)
-  {
-    const auto n_nodes = static_cast<std::size_t>(
-        std::accumulate(n_nodes_.begin(), n_nodes_.end(), 1, [](const int a, const int b) { return a * b; }));
-    Eigen::MatrixXd values(static_cast<Eigen::Index>(conditions.size()), static_cast<Eigen::Index>(n_nodes));
-    std::string     failure;
-    std::mutex      reporting;
-    std::size_t     n_done = 0;
-    parallel_for(n_nodes, options.n_threads, [&] {
-      auto exact = std::make_shared<ExactDisplacements>(
-          model, conditions, ExactOptions{.relative_tolerance = options.relative_tolerance, .by = {}});
-      return [&, exact](const std::size_t i) {
-        const Displacements  &at = exact->evaluate(groups_.swimmer(node(i)), false);
-        const std::lock_guard lock(reporting);
-        values.col(static_cast<Eigen::Index>(i)) = at.value_m;
-        if (at.failed())
-          failure = at.failure;
-        if (options.on_progress)
-          options.on_progress(static_cast<double>(++n_done) / static_cast<double>(n_nodes));
-      };
-    });
-    n_runs_ = static_cast<long>(n_nodes * conditions.size());
-    if (failure.empty())
-      set_coefficients(values);
-    return failure;
+    return nullptr;
   }
 
   void DisplacementTable::set_coefficients(const Eigen::MatrixXd &values)

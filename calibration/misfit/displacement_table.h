@@ -1,10 +1,12 @@
 // Displacements interpolated over the groups that they depend on: a fit asks for thousands of them.
 #pragma once
 
-#include <calibration/misfit/motion_groups.h>
+#include <calibration/misfit/exact_displacements.h>
+#include <calibration/misfit/node_grid.h>
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 namespace swimtwin
 {
@@ -14,14 +16,15 @@ namespace swimtwin
     double                           interpolation_error = 2e-3; ///< aimed at, relative to the largest displacement
     int                              n_threads           = 1;
     int                              largest_n_nodes     = 17; ///< per group
-    std::function<void(double done)> on_progress         = {}; ///< share of the work, by any thread, one at a time
+    std::optional<Eigen::VectorXd>   narrow_around = {}; ///< groups: shrinks the box to where nodes can be computed
+    std::function<void(double done)> on_progress   = {}; ///< share of the work, by any thread, one at a time
   };
 
   /// Chebyshev polynomials in each group, through integrations at the nodes. Outside the box: the tangent at its edge.
   class DisplacementTable : public DisplacementSource
   {
   public:
-    /// Empty if a node could not be computed; `failure` says why.
+    /// Empty if a node could not be computed, and with `narrow_around` one next to that place; `failure` says why.
     static std::unique_ptr<DisplacementTable> make(const CalibrationModel               &model,
                                                    const std::vector<SwimmingCondition> &conditions,
                                                    const GroupBox &box, const TableOptions &options,
@@ -39,13 +42,10 @@ namespace swimtwin
     bool   covers(const CalibratedSwimmer &swimmer) const;
 
   private:
-    DisplacementTable(const CalibrationModel &model, const GroupBox &box, std::vector<int> n_nodes);
+    DisplacementTable(const CalibrationModel &model, const NodeGrid &grid, const Eigen::MatrixXd &values);
 
-    std::string     fill(const CalibrationModel &model, const std::vector<SwimmingCondition> &conditions,
-                         const TableOptions &options);
-    Eigen::VectorXd node(std::size_t index) const;
-    void            set_coefficients(const Eigen::MatrixXd &values);
-    double          tail(int group) const;
+    void   set_coefficients(const Eigen::MatrixXd &values);
+    double tail(int group) const;
     /// Products of one polynomial per group; `derivative_of`: its derivative by that group instead.
     Eigen::VectorXd basis(const Eigen::VectorXd &place, int derivative_of) const;
 

@@ -233,6 +233,32 @@ namespace swimtwin
     EXPECT_LT((a.by_logarithm - b.by_logarithm).cwiseAbs().maxCoeff(), 2e-3 * scale);
   }
 
+  TEST(DisplacementTable, IsNarrowedToWhereTheSwimmerCanBeComputed)
+  {
+    const CalibrationModel model(read_reduced_model(std::string(places::models) + "/reference-3d.h5"));
+    const MotionGroups     groups(model);
+    CalibratedSwimmer      softest = model.nominal, stiffest = model.nominal;
+    softest.young_modulus_Pa /= 10.;
+    softest.magnetization_A_m *= 2.;
+    stiffest.young_modulus_Pa *= 2.;
+    stiffest.magnetization_A_m /= 2.;
+    softest.viscosity_Pa_s = stiffest.viscosity_Pa_s = 1.;
+    const GroupBox box{groups.values(softest).cwiseMin(groups.values(stiffest)),
+                       groups.values(softest).cwiseMax(groups.values(stiffest))};
+    TableOptions   options{.relative_tolerance = 1e-5, .interpolation_error = 5e-2, .n_threads = 2};
+    std::string    failure;
+    EXPECT_EQ(DisplacementTable::make(model, conditions(3), box, options, failure), nullptr);
+    EXPECT_NE(failure, "");
+    options.narrow_around = groups.values(model.nominal);
+    const auto table      = DisplacementTable::make(model, conditions(3), box, options, failure);
+    ASSERT_TRUE(table) << failure;
+    EXPECT_TRUE(table->covers(model.nominal));
+    EXPECT_FALSE(table->covers(softest));
+    ExactDisplacements  exact(model, conditions(3), {.relative_tolerance = 1e-5, .by = {}});
+    const Displacements a = exact.evaluate(model.nominal, false), b = table->evaluate(model.nominal, false);
+    EXPECT_LT((a.value_m - b.value_m).cwiseAbs().maxCoeff(), 5e-2 * a.value_m.cwiseAbs().maxCoeff());
+  }
+
   TEST(DisplacementTable, GoesOnAsATangentPlane)
   {
     const Setting     setting(two_ratios(), {exact_curve(6, known_swimmer())});
