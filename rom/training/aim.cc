@@ -10,11 +10,6 @@ namespace swimtwin
 {
   namespace
   {
-    bool is_of_fit(const Remedy remedy)
-    {
-      return remedy != Remedy::another_mode;
-    }
-
     /// Whether the attempt lowered the least error before it by a tenth.
     bool helped(const std::vector<Attempt> &attempts, const std::size_t k)
     {
@@ -24,14 +19,32 @@ namespace swimtwin
       return attempts[k].error < .9 * before;
     }
 
+    /// Whether the attempt lowered the least error before it at all: a mode that did not was taken back.
+    bool was_kept(const std::vector<Attempt> &attempts, const std::size_t k)
+    {
+      return std::all_of(attempts.begin(), attempts.begin() + static_cast<std::ptrdiff_t>(k),
+                         [&](const Attempt &before) { return attempts[k].error < before.error; });
+    }
+
     /// On the samples of the present modes.
     bool fit_is_finest(const std::vector<Attempt> &attempts)
     {
       bool finest = false;
-      for (const Attempt &attempt : attempts)
-        if (attempt.remedy)
-          finest = *attempt.remedy == Remedy::another_mode ? false : true;
+      for (std::size_t k = 1; k < attempts.size(); ++k)
+        if (attempts[k].remedy != Remedy::another_mode)
+          finest = true;
+        else if (was_kept(attempts, k))
+          finest = false;
       return finest;
+    }
+
+    /// Whether it was tried in vain since something helped.
+    bool has_failed(const std::vector<Attempt> &attempts, const Remedy remedy)
+    {
+      for (std::size_t k = attempts.size(); k-- > 1 && !helped(attempts, k);)
+        if (attempts[k].remedy == remedy)
+          return true;
+      return false;
     }
   } // namespace
 
@@ -50,18 +63,13 @@ namespace swimtwin
 
   std::optional<Remedy> next_remedy(const std::vector<Attempt> &attempts)
   {
-    const std::size_t last   = attempts.size() - 1;
-    bool              of_fit = attempts[last].fit_share >= .5 * attempts[last].error;
     // A finer fit costs nothing, so that its failure says little: samples may still be what is missing.
-    const bool failed = last > 0 && !helped(attempts, last) && attempts[last].remedy != Remedy::finer_fit;
-    if (failed)
-    {
-      for (std::size_t k = last; k-- > 1 && !helped(attempts, k);)
-        if (is_of_fit(*attempts[k].remedy) != is_of_fit(*attempts[last].remedy) &&
-            attempts[k].remedy != Remedy::finer_fit)
-          return {};
-      of_fit = !is_of_fit(*attempts[last].remedy);
-    }
+    const bool samples_failed = has_failed(attempts, Remedy::more_samples);
+    const bool mode_failed    = has_failed(attempts, Remedy::another_mode);
+    if (samples_failed && mode_failed)
+      return {};
+    const bool is_of_fit = attempts.back().fit_share >= .5 * attempts.back().error;
+    const bool of_fit    = (is_of_fit || mode_failed) && !samples_failed;
     if (!of_fit)
       return Remedy::another_mode;
     return fit_is_finest(attempts) ? Remedy::more_samples : Remedy::finer_fit;

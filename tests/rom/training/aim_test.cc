@@ -44,6 +44,16 @@ namespace swimtwin
                               {Remedy::more_samples, .03, .005}}));
   }
 
+  TEST(Aim, DoesNotGoRoundInCircles)
+  {
+    std::vector<Attempt> attempts{first(.017, .003), {Remedy::another_mode, .020, .003}};
+    EXPECT_EQ(next_remedy(attempts), Remedy::finer_fit); // of the modes before: the fifth was taken back
+    attempts.push_back({Remedy::finer_fit, .017, .003});
+    EXPECT_EQ(next_remedy(attempts), Remedy::more_samples);
+    attempts.push_back({Remedy::more_samples, .017, .003});
+    EXPECT_FALSE(next_remedy(attempts));
+  }
+
   TEST(Aim, ASecondModeStartsFromTheUsualFit)
   {
     EXPECT_EQ(next_remedy({first(.03, .02), {Remedy::finer_fit, .02, .005}, {Remedy::another_mode, .015, .012}}),
