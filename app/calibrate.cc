@@ -6,6 +6,7 @@
 #include <app/claimed_folder.h>
 #include <app/full_order/full_order_build.h>
 #include <app/full_order/full_order_run.h>
+#include <app/full_order/model_refinement.h>
 #include <app/model_error.h>
 #include <app/progress_bar.h>
 #include <app/shipped_files.h>
@@ -65,19 +66,31 @@ namespace swimtwin
       return carried_inertia(scene, input.model, command.model, inertia, extreme_of(scene, input.sets));
     }
 
+    /// A refinement needs some, spread over the frequencies.
+    int n_checks_of(const CalibrateCommand &command)
+    {
+      constexpr int fewest_to_refine = 3;
+      return command.refine.is_asked_for() ? std::max(fewest_to_refine, command.n_checks) : command.n_checks;
+    }
+
+    std::filesystem::path check_folder(const CalibrateCommand &command, const int n)
+    {
+      return command.common.output / fmt::format("full-order/{}", n);
+    }
+
     CalibrationOptions options_of(const CalibrateCommand &command, const ReducedModel &model,
                                   const InertiaTerms &carried, ProgressBar &bar)
     {
       CalibrationOptions options;
       options.n_threads  = command.n_threads;
-      options.n_checks   = command.n_checks;
+      options.n_checks   = n_checks_of(command);
       options.inertia    = carried;
       options.full_order = [&model, &command, carried, n = 0](const CalibratedSwimmer &swimmer,
                                                               const SwimmingCondition &condition) mutable {
         const FieldProgram field = FieldProgram::sinusoidal(
             condition.drive.parameters[0], condition.drive.parameters[1], condition.drive.frequency_Hz);
         return full_order_displacement_m(scene_of_observation(model, swimmer, carried, field, condition.period),
-                                         command.common.output / fmt::format("full-order/{}", ++n));
+                                         check_folder(command, ++n));
       };
       const double start  = wall_time_s();
       options.on_progress = [&bar, start](const std::string &, const double done) {
@@ -155,7 +168,6 @@ namespace swimtwin
                   CalibrationResult &result)
     {
       const Scene scene   = parse_scene(model.scene_text, model.scene_name + ".toml");
-      result.model_file   = find_model(command.model).string();
       result.scene_name   = model.scene_name;
       result.problem_text = problem.text;
       if (const std::string doubt = inertia_doubt(scene, carried, sets); !doubt.empty())
@@ -222,17 +234,51 @@ namespace swimtwin
         say("{}  nothing forbids a fit; warnings: {}\n", summary(input), warnings.size());
     }
 
+    CalibrationResult fit(const CalibrateCommand &command, const CalibrationInput &input, const InertiaTerms &carried,
+                          const RefinedModel &by)
+    {
+      ProgressBar       bar(command.common.quiet);
+      CalibrationResult result =
+          calibrate(by.model, input.problem, input.sets, options_of(command, by.model, carried, bar));
+      result.model_file = by.file.string();
+      return result;
+    }
+
+    /// Fits again with refined models, until both models agree at the estimate or the rounds are over.
+    CalibrationResult refine_and_fit(const CalibrateCommand &command, const CalibrationInput &input,
+                                     const InertiaTerms &carried, CalibrationResult result, RefinedModel &by)
+    {
+      Refinement refinement(command.refine);
+      while (!result.discrepancy.checks.empty())
+      {
+        const bool goes_on = refinement.goes_on(by.file, result.discrepancy.largest_difference());
+        if (!command.common.quiet)
+          say_text(refinement.last_round());
+        if (!goes_on)
+          break;
+        std::vector<std::filesystem::path> snapshots;
+        for (std::size_t i = 0; i < result.discrepancy.checks.size(); ++i)
+          snapshots.push_back(check_folder(command, static_cast<int>(i) + 1) / "snapshots.h5");
+        by     = refine_model(by, snapshots, command.common, refinement.n_done() + 1);
+        result = fit(command, input, carried, by);
+      }
+      if (const std::string shortfall = refinement.shortfall(); !shortfall.empty())
+        result.warnings.push_back(shortfall);
+      result.refinement = refinement.rounds();
+      return result;
+    }
+
     void calibrate_in_folder(const CalibrateCommand &command, const CalibrationInput &input)
     {
-      const auto &[model, problem, sets] = input;
-      const CommonOptions &common        = command.common;
-      const double         start         = wall_time_s();
-      const InertiaTerms   carried       = carried_by(command, input);
-      CalibrationResult    result;
-      {
-        ProgressBar bar(common.quiet);
-        result = calibrate(model, problem, sets, options_of(command, model, carried, bar));
-      }
+      const auto &[as_it_came, problem, sets] = input;
+      const CommonOptions &common             = command.common;
+      const double         start              = wall_time_s();
+      const InertiaTerms   carried            = carried_by(command, input);
+      RefinedModel         by{as_it_came, find_model(command.model)};
+      CalibrationResult    result = fit(command, input, carried, by);
+      if (command.refine.is_asked_for())
+        result = refine_and_fit(command, input, carried, std::move(result), by);
+      const ReducedModel &model = by.model;
       complete(command, model, problem, sets, carried, wall_time_s() - start, result);
       write_calibration_files(common.output, result,
                               fitted_scene(model, result.swimmer, carried, sets.front(), common.output));
@@ -255,8 +301,8 @@ namespace swimtwin
           "without a fit.");
     const CalibrationInput input = read_calibration_input(command);
     require_borne_model_error(input.model, command.model, command.accepts_model_error);
-    if (command.n_checks > 0)
-      require_full_order_model("--verify", RanksAtWork::this_one);
+    if (n_checks_of(command) > 0)
+      require_full_order_model(command.n_checks > 0 ? "--verify" : "--refine", RanksAtWork::this_one);
     std::vector<std::filesystem::path> files{find_model(command.model), command.problem};
     for (const ObservationSet &set : input.sets)
       files.insert(files.end(), {set.file, set.field.file});
@@ -281,6 +327,7 @@ namespace swimtwin
     verb->add_option("--verify", command->n_checks, "Runs of the full-order model at the estimate (about 15 s each)")
         ->check(CLI::NonNegativeNumber)
         ->take_last();
+    add_refine_options(*verb, command->refine);
     add_inertia_option(*verb, command->inertia);
     verb->add_flag("--check", command->check_only,
                    "Read problem and observations, print what is in them and what is wrong, and fit nothing");

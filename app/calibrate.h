@@ -1,6 +1,7 @@
 // A fit from files to files, for the verbs that make one.
 #pragma once
 
+#include <app/refinement.h>
 #include <app/verb.h>
 
 namespace swimtwin
@@ -12,6 +13,7 @@ namespace swimtwin
     std::string              inertia; ///< "none", "auto", "full"; empty: as the scene has it
     std::vector<std::string> data;    ///< instead of those that the problem names
     int                      n_threads = 0, n_checks = 0;
+    RefineOptions            refine;
     bool                     no_picture          = false;
     bool                     check_only          = false; ///< problem and data, without a fit; needs no folder
     bool                     accepts_model_error = false; ///< above what a result may rest on

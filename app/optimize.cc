@@ -4,6 +4,7 @@
 #include <app/claimed_folder.h>
 #include <app/full_order/field_replay.h>
 #include <app/full_order/full_order_build.h>
+#include <app/full_order/model_refinement.h>
 #include <app/model_error.h>
 #include <app/shipped_files.h>
 #include <app/value_list.h>
@@ -164,7 +165,6 @@ namespace swimtwin
         file.options.on_progress = [](const std::string &what) { say("  searching: {}\n", what); };
       PlanResult plan = plan_field(model, file.goal, reference_drive(scene), file.options, members_of(file.goal));
       plan.warnings.insert(plan.warnings.begin(), warnings.begin(), warnings.end());
-      plan.model_file        = find_model(command.model).string();
       plan.scene_name        = model.scene_name;
       plan.goal_text         = file.text;
       plan.young_modulus_Pa  = file.goal.swimmer.young_modulus_Pa;
@@ -202,15 +202,56 @@ namespace swimtwin
         throw ComputationError(fmt::format("no field was found ({}): {}", plan.status, plan.message));
     }
 
+    /// A plan by this model, with its replay if one is asked for.
+    PlanResult plan_and_replay(const OptimizeCommand &command, const PlanInput &input,
+                               const std::filesystem::path &model_file)
+    {
+      PlanResult plan = make_plan(command, input);
+      plan.model_file = model_file.string();
+      if (command.has_replay() && is_usable(plan) && std::isfinite(plan.gain()))
+        plan.replay = replay_on_full_order_model(input.model, plan, command.common, command.replay);
+      return plan;
+    }
+
+    std::vector<std::filesystem::path> replayed_snapshots(const PlanResult &plan, const std::filesystem::path &folder)
+    {
+      std::vector<std::filesystem::path> files;
+      for (const ReplayedField &field : plan.replay->fields)
+        files.push_back(folder / replay_folder_name(field.name) / "snapshots.h5");
+      return files;
+    }
+
+    /// Plans again on refined models, until both models agree at the plan's fields or the rounds are over.
+    PlanResult refine_and_plan(const OptimizeCommand &command, const PlanInput &input, PlanResult plan,
+                               RefinedModel &by)
+    {
+      Refinement refinement(command.refine);
+      while (plan.replay)
+      {
+        const bool goes_on = refinement.goes_on(by.file, plan.replay->largest_difference());
+        if (is_speaker() && !command.common.quiet)
+          say_text(refinement.last_round());
+        if (!goes_on)
+          break;
+        by = refine_model(by, replayed_snapshots(plan, command.common.output), command.common, refinement.n_done() + 1);
+        plan = plan_and_replay(command, {by.model, input.scene, input.file, input.warnings}, by.file);
+      }
+      if (const std::string shortfall = refinement.shortfall(); !shortfall.empty())
+        plan.warnings.push_back(shortfall);
+      plan.refinement = refinement.rounds();
+      return plan;
+    }
+
     void optimize_in_folder(const OptimizeCommand &command, const PlanInput &input)
     {
       const CommonOptions &common = command.common;
-      const ReducedModel  &model  = input.model;
       if (is_speaker() && !common.quiet)
-        say_text(model_card(model));
-      PlanResult plan = make_plan(command, input);
-      if (command.with_replay && is_usable(plan) && std::isfinite(plan.gain()))
-        plan.replay = replay_on_full_order_model(model, plan, common, command.replay);
+        say_text(model_card(input.model));
+      RefinedModel by{input.model, find_model(command.model)};
+      PlanResult   plan = plan_and_replay(command, input, by.file);
+      if (command.refine.is_asked_for())
+        plan = refine_and_plan(command, input, std::move(plan), by);
+      const ReducedModel &model = by.model;
       if (!is_speaker())
         return;
       write_motions(model, plan, common.output / motion_folder_name);
@@ -236,8 +277,8 @@ namespace swimtwin
     import_program(file, warnings);
     if (!command.trade_off.empty())
       file.options.trade_off = parse_values("--trade-off", command.trade_off, ValueRule::positive);
-    if (command.with_replay)
-      require_full_order_model("--replay", RanksAtWork::all);
+    if (command.has_replay())
+      require_full_order_model(command.with_replay ? "--replay" : "--refine", RanksAtWork::all);
     const std::vector<std::filesystem::path> inputs{find_model(command.model), command.goal, file.program};
     work_in_folder_together(output_request(command.common, written_by::optimize(), inputs), [&](const Begun &) {
       optimize_in_folder(command, {model, scene, file, warnings});
@@ -259,6 +300,7 @@ namespace swimtwin
     verb->add_option("--replay-steps", command->replay.steps_per_period, "Steps per period of a replay")
         ->check(CLI::Range(20, 100000))
         ->capture_default_str();
+    add_refine_options(*verb, command->refine);
     verb->add_option("--trade-off", command->trade_off,
                      "Plan for these bounds on the Floquet multiplier too: a list or a range, as in sweep")
         ->type_name("VALUES");

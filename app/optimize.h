@@ -2,6 +2,7 @@
 #pragma once
 
 #include <app/full_order/field_replay.h>
+#include <app/refinement.h>
 #include <app/verb.h>
 
 namespace swimtwin
@@ -11,9 +12,12 @@ namespace swimtwin
     CommonOptions common;
     std::string   model, goal, trade_off;
     ReplayOptions replay;
+    RefineOptions refine;
     int           n_threads   = 0;
     bool          with_replay = false, check_gradients = false, no_picture = false;
     bool          accepts_model_error = false; ///< above what a result may rest on
+
+    bool has_replay() const { return with_replay || refine.is_asked_for(); }
   };
 
   /// Collective.

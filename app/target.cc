@@ -3,6 +3,7 @@
 #include <app/claimed_folder.h>
 #include <app/full_order/full_order_build.h>
 #include <app/full_order/full_order_plant.h>
+#include <app/full_order/model_refinement.h>
 #include <app/model_error.h>
 #include <app/shipped_files.h>
 #include <app/written_files.h>
@@ -37,11 +38,56 @@ namespace swimtwin
             run.largest_shape_radius));
     }
 
-    void add_replay(const Scene &scene, TargetRecord &record)
+    void add_replay(const TrackCommand &command, const ReducedModel &model, TargetRecord &record)
     {
-      const auto plant =
+      // As the reduced swimmer plans, without inertia: a replay is about everything else.
+      const Scene scene = parse_scene(model.scene_text, model.scene_name + ".toml", {"fluid.inertia=none"});
+      const auto  plant =
           make_full_order_plant(scene, {record.goal.steps_per_second, record.way.plan.carrier.frequency_Hz});
       record.replay = swim_to_target(*plant, record.way.plan, record.way.n_periods, record.goal.target_m);
+      if (command.refine.is_asked_for())
+        plant->write_snapshots(command.common.output / replay_snapshots_name);
+    }
+
+    void reach_with(const TrackCommand &command, const RefinedModel &by, TargetRecord &record)
+    {
+      const ReducedSwimmer swimmer(by.model);
+      record.way        = fastest_way(swimmer, record.goal.swimmer, record.goal.carrier, record.goal.start,
+                                      record.goal.target_m, record.goal.options);
+      record.model_file = by.file.string();
+      record.warnings.clear();
+      record.replay.reset();
+      if (!record.way.found())
+        return;
+      add_swim(swimmer, record);
+      if (command.has_replay())
+        add_replay(command, by.model, record);
+    }
+
+    /// Of both models' ends, relative to the way between start and end.
+    double difference_at_end(const TargetRecord &record)
+    {
+      const Eigen::Vector2d planned = record.swim.back().pose.position_m;
+      return (planned - record.replay->back().pose.position_m).norm() /
+             (planned - record.swim.front().pose.position_m).norm();
+    }
+
+    void refine_and_reach(const TrackCommand &command, RefinedModel &by, TargetRecord &record)
+    {
+      Refinement refinement(command.refine);
+      while (record.replay)
+      {
+        const bool goes_on = refinement.goes_on(by.file, difference_at_end(record));
+        if (!command.common.quiet)
+          say_text(refinement.last_round());
+        if (!goes_on)
+          break;
+        by = refine_model(by, {command.common.output / replay_snapshots_name}, command.common, refinement.n_done() + 1);
+        reach_with(command, by, record);
+      }
+      if (const std::string shortfall = refinement.shortfall(); !shortfall.empty())
+        record.warnings.push_back(shortfall);
+      record.refinement = refinement.rounds();
     }
 
     void write(const TrackCommand &command, const TargetRecord &record)
@@ -74,20 +120,16 @@ namespace swimtwin
       say("  results in {}\n", common.output.string());
     }
 
-    void reach_in_folder(const TrackCommand &command, const ReducedModel &model, const Scene &scene,
-                         TargetRecord &record)
+    void reach_in_folder(const TrackCommand &command, RefinedModel by, TargetRecord &record)
     {
       const CommonOptions &common = command.common;
-      const ReducedSwimmer swimmer(model);
+      const Scene          scene  = parse_scene(by.model.scene_text, by.model.scene_name + ".toml");
       if (!common.quiet)
-        say_text(model_card(model));
+        say_text(model_card(by.model));
       const double start = wall_time_s();
-      record.way         = fastest_way(swimmer, record.goal.swimmer, record.goal.carrier, record.goal.start,
-                                       record.goal.target_m, record.goal.options);
-      if (record.way.found())
-        add_swim(swimmer, record);
-      if (record.way.found() && command.with_replay)
-        add_replay(scene, record);
+      reach_with(command, by, record);
+      if (command.refine.is_asked_for())
+        refine_and_reach(command, by, record);
       record.provenance = {current_program_version, common.command_line,  scene.text, scene.hash,
                            utc_time_now(),          wall_time_s() - start};
       write(command, record);
@@ -106,16 +148,15 @@ namespace swimtwin
   void reach_and_report(const TrackCommand &command)
   {
     const ReducedModel model = read_reduced_model(find_model(command.model));
-    // As the reduced swimmer plans, without inertia: a replay is about everything else.
-    const Scene scene = parse_scene(model.scene_text, model.scene_name + ".toml", {"fluid.inertia=none"});
     require_borne_model_error(model, command.model, command.accepts_model_error);
     TargetRecord record;
     record.goal          = read_target_goal(command.goal, model);
     record.body_length_m = ReducedSwimmer(model).length_m();
-    record.model_file    = find_model(command.model).string();
-    if (command.with_replay)
-      require_full_order_model("--replay", RanksAtWork::this_one);
-    work_in_folder(output_request(command.common, written_by::optimize(), {find_model(command.model), command.goal}),
-                   [&](const Begun &) { reach_in_folder(command, model, scene, record); });
+    if (command.has_replay())
+      require_full_order_model(command.reason_for_replay(), RanksAtWork::this_one);
+    const std::filesystem::path file = find_model(command.model);
+    work_in_folder(output_request(command.common, written_by::optimize(), {file, command.goal}), [&](const Begun &) {
+      reach_in_folder(command, {model, file}, record);
+    });
   }
 } // namespace swimtwin

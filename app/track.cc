@@ -4,6 +4,7 @@
 #include <app/claimed_folder.h>
 #include <app/full_order/full_order_build.h>
 #include <app/full_order/full_order_plant.h>
+#include <app/full_order/model_refinement.h>
 #include <app/model_error.h>
 #include <app/progress_bar.h>
 #include <app/shipped_files.h>
@@ -26,13 +27,18 @@ namespace swimtwin
 {
   namespace
   {
-    std::unique_ptr<Plant> full_order_plant(const ReducedModel &model, const TrackingGoal &goal)
+    void require_whole_steps(const TrackingGoal &goal)
     {
       const double steps = goal.steps_per_second / goal.options.decisions_per_second;
       if (std::abs(steps - std::round(steps)) > 1e-9 || steps < 1.)
         throw InputError(fmt::format("[loop] steps_per_second = {} is not a whole number of steps per decision; take a "
                                      "multiple of decisions_per_second = {}.",
                                      goal.steps_per_second, goal.options.decisions_per_second));
+    }
+
+    std::unique_ptr<FullOrderPlant> full_order_plant(const ReducedModel &model, const TrackingGoal &goal)
+    {
+      require_whole_steps(goal);
       return make_full_order_plant(parse_scene(model.scene_text, model.scene_name + ".toml", {"fluid.inertia=none"}),
                                    {goal.steps_per_second, goal.carrier.frequency_Hz});
     }
@@ -108,34 +114,73 @@ namespace swimtwin
       write_track_summary(common.output / track_summary_name, record);
     }
 
-    struct Swimmers
+    /// Plan or loop, and the replay of a plan if one is asked for.
+    void track_with(const TrackCommand &command, const RefinedModel &by, TrackRecord &record)
     {
-      const ReducedModel   &model;
-      const ReducedSwimmer &swimmer;
-      Plant                *replayed_on; ///< null without a replay
-    };
-
-    void track_in_folder(const TrackCommand &command, const Swimmers &swimmers, TrackRecord &record)
-    {
-      const auto &[model, swimmer, replayed_on] = swimmers;
-      const CommonOptions &common               = command.common;
-      const Scene          scene                = parse_scene(model.scene_text, model.scene_name + ".toml");
-      if (!common.quiet)
-        say_text(model_card(model));
-      const double start = wall_time_s();
-      ProgressBar  bar(common.quiet);
-      record.goal.options.on_progress = [&](const double share) {
-        bar.show(static_cast<int>(1000. * share), 1000, static_cast<int>(1000. * share), wall_time_s() - start);
-      };
-      record.result = swim(model, swimmer, record.goal);
-      if (replayed_on != nullptr)
-        record.replay = play_plan(swimmer, record.goal.believed, record.result, *replayed_on, record.goal.options);
+      const ReducedSwimmer swimmer(by.model);
+      record.result        = swim(by.model, swimmer, record.goal);
       record.body_length_m = swimmer.length_m();
-      record.model_file    = find_model(command.model).string();
-      record.provenance    = {current_program_version, common.command_line,  scene.text, scene.hash,
-                              utc_time_now(),          wall_time_s() - start};
+      record.model_file    = by.file.string();
+      record.replay.reset();
+      if (record.goal.kind != TrackingKind::path || !command.has_replay())
+        return;
+      const auto plant = full_order_plant(by.model, record.goal);
+      record.replay    = play_plan(swimmer, record.goal.believed, record.result, *plant, record.goal.options);
+      if (command.refine.is_asked_for())
+        plant->write_snapshots(command.common.output / replay_snapshots_name);
+    }
+
+    /// Of both models' mean positions at the end, relative to the way between start and end.
+    double difference_at_end(const TrackRecord &record)
+    {
+      const auto &planned = record.result.instants, &replayed = record.replay->instants;
+      const auto  n = std::min(planned.size(), replayed.size());
+      if (n == 0)
+        throw ComputationError("the replay of the path ended before it began: there is nothing to refine the model by");
+      return (planned[n - 1].mean_m - replayed[n - 1].mean_m).norm() / (planned[n - 1].arc_m - planned.front().arc_m);
+    }
+
+    void refine_and_track(const TrackCommand &command, RefinedModel &by, TrackRecord &record)
+    {
+      Refinement refinement(command.refine);
+      while (record.replay)
+      {
+        const bool goes_on = refinement.goes_on(by.file, difference_at_end(record));
+        if (!command.common.quiet)
+          say_text(refinement.last_round());
+        if (!goes_on)
+          break;
+        by = refine_model(by, {command.common.output / replay_snapshots_name}, command.common, refinement.n_done() + 1);
+        track_with(command, by, record);
+      }
+      if (const std::string shortfall = refinement.shortfall(); !shortfall.empty())
+        record.warnings.push_back(shortfall);
+      record.refinement = refinement.rounds();
+    }
+
+    void track_in_folder(const TrackCommand &command, RefinedModel by, TrackRecord &record)
+    {
+      const CommonOptions &common = command.common;
+      const Scene          scene  = parse_scene(by.model.scene_text, by.model.scene_name + ".toml");
+      if (!common.quiet)
+        say_text(model_card(by.model));
+      const double start = wall_time_s();
+      {
+        ProgressBar bar(common.quiet);
+        record.goal.options.on_progress = [&](const double share) {
+          bar.show(static_cast<int>(1000. * share), 1000, static_cast<int>(1000. * share), wall_time_s() - start);
+        };
+        track_with(command, by, record);
+        record.goal.options.on_progress = {};
+      }
+      if (command.refine.is_asked_for())
+        refine_and_track(command, by, record);
+      record.provenance = {current_program_version, common.command_line,  scene.text, scene.hash,
+                           utc_time_now(),          wall_time_s() - start};
       write(common, record);
       draw(command, record);
+      for (const std::string &warning : record.warnings)
+        warn(warning);
       if (!common.quiet)
         print(record, common);
       if (record.result.status == TrackStatus::failed)
@@ -147,24 +192,28 @@ namespace swimtwin
   {
     const ReducedModel model = read_reduced_model(find_model(command.model));
     require_borne_model_error(model, command.model, command.accepts_model_error);
-    const ReducedSwimmer swimmer(model);
-    TrackRecord          record;
+    TrackRecord record;
     record.goal = read_tracking_goal(command.goal, model);
     if (record.goal.plant == PlantKind::external)
       throw InputError(
           fmt::format("{}: [loop] plant = \"external\" is a laboratory, which is steered by what is seen of "
                       "it: run `swimtwin twin MODEL TWIN.toml` with [goal] file = \"{}\" in TWIN.toml.",
                       command.goal, std::filesystem::path(command.goal).filename().string()));
-    const bool has_replay = command.with_replay && record.goal.kind == TrackingKind::path;
-    if (has_replay)
-      require_full_order_model("--replay", RanksAtWork::this_one);
+    if (command.refine.is_asked_for() && record.goal.kind != TrackingKind::path)
+      throw InputError(fmt::format("{}: --refine is for plans, kind = \"path\" or \"target\": a closed loop corrects "
+                                   "what its model does not know; leave --refine out.",
+                                   command.goal));
+    if (command.has_replay() && record.goal.kind == TrackingKind::path)
+    {
+      require_full_order_model(command.reason_for_replay(), RanksAtWork::this_one);
+      require_whole_steps(record.goal);
+    }
     if (record.goal.kind == TrackingKind::closed_loop && record.goal.plant == PlantKind::full_order)
       require_full_order_model("[loop] plant = \"full-order\"", RanksAtWork::this_one);
-    const auto replayed_on = has_replay ? full_order_plant(model, record.goal) : nullptr;
-    work_in_folder(output_request(command.common, written_by::optimize(), {find_model(command.model), command.goal}),
-                   [&](const Begun &) {
-                     track_in_folder(command, {model, swimmer, replayed_on.get()}, record);
-                   });
+    const std::filesystem::path file = find_model(command.model);
+    work_in_folder(output_request(command.common, written_by::optimize(), {file, command.goal}), [&](const Begun &) {
+      track_in_folder(command, {model, file}, record);
+    });
   }
 
   Work add_track(CLI::App &tool, const std::string &command_line)
@@ -177,6 +226,7 @@ namespace swimtwin
     add_output_options(*verb, command->common, OutputFolder::required);
     verb->add_flag("--replay", command->with_replay,
                    "Play the plan of a path or to a target blindly on the full-order model too");
+    add_refine_options(*verb, command->refine);
     verb->add_flag("--no-picture", command->no_picture, "Draw nothing");
     verb->add_flag(accept_model_error, command->accepts_model_error, accept_model_error_help);
     command->common.command_line = command_line;

@@ -77,15 +77,6 @@ namespace swimtwin
             group, range.frequency_Hz.high, range.viscosity_Pa_s.low, largest_unsteady_group));
     }
 
-    /// "1%" or "0.01".
-    double parse_share(const std::string &option, const std::string &text)
-    {
-      const bool   in_percent = text.ends_with('%');
-      const double value =
-          parse_values(option, in_percent ? text.substr(0, text.size() - 1) : text, ValueRule::positive).front();
-      return in_percent ? value / 100. : value;
-    }
-
     /// "90s", "30min" or "2h", in seconds.
     double parse_duration(const std::string &option, const std::string &text)
     {

@@ -114,4 +114,12 @@ namespace swimtwin
   {
     return ValueReader(option, text, rule).values();
   }
+
+  double parse_share(const std::string &option, const std::string &text)
+  {
+    const bool   in_percent = text.ends_with('%');
+    const double value =
+        parse_values(option, in_percent ? text.substr(0, text.size() - 1) : text, ValueRule::positive).front();
+    return in_percent ? value / 100. : value;
+  }
 } // namespace swimtwin

@@ -32,10 +32,24 @@ namespace swimtwin
                      page_with({"trajectory", "angles", "stroke_loop", "power_balance", "shapes", "spatial_view"})});
     }
 
+    FilePatterns training_files()
+    {
+      return joined({{"model.h5", "model-card.txt", "samples.h5", "samples-[0-9]*-modes.h5"},
+                     below("runs/run-[0-9]*", motion_files()),
+                     below("held-out/[0-9]*-steps/run-[0-9]*", motion_files()),
+                     below("held-out-with-inertia/[0-9]*-steps/run-[0-9]*", motion_files())});
+    }
+
+    /// Models that were refined, and what they were refined with.
+    FilePatterns refined_files()
+    {
+      return below("refined-[0-9]*", joined({training_files(), {"shapes/[0-9]*.h5"}}));
+    }
+
     FilePatterns fit_files()
     {
       return joined({calibration_file_names(), page_with({"fit", "pairs", "profiles", "waterfall", "next_experiment"}),
-                     below("full-order/[0-9]*", motion_files())});
+                     below("full-order/[0-9]*", motion_files()), refined_files()});
     }
 
     FilePatterns field_files()
@@ -46,23 +60,18 @@ namespace swimtwin
         motions.push_back(file_name(name) + ".csv");
       const FilePatterns replays = joined({{field_name, field_period_name}, motion_files()});
       return joined(
-          {{plan_name, field_name, field_period_name, track_table_name, track_summary_name, replay_table_name},
+          {{plan_name, field_name, field_period_name, track_table_name, track_summary_name, replay_table_name,
+            replay_snapshots_name},
            below(motion_folder_name, motions),
-           below("replay/" + file_name(tuned_field_name), replays),
-           below("replay/" + file_name(optimal_field_name), replays),
+           below(replay_folder_name(tuned_field_name), replays),
+           below(replay_folder_name(optimal_field_name), replays),
+           refined_files(),
            page_with({"field", "hodograph", "head_path", "gains", "trade_off", "trace", "path", "course", "way"})});
     }
 
     FilePatterns sweep_files()
     {
       return joined({{sweep_table_name, sweep_data_name, sweep_summary_name}, page_with({"displacement_frequency"})});
-    }
-
-    FilePatterns training_files()
-    {
-      return joined({{"model.h5", "model-card.txt", "samples.h5", "samples-[0-9]*-modes.h5"},
-                     below("runs/run-[0-9]*", motion_files()),
-                     below("held-out/[0-9]*-steps/run-[0-9]*", motion_files())});
     }
 
     FilePatterns demo_files()

@@ -48,7 +48,7 @@ namespace swimtwin
       constexpr int               settled_after = 2; // periods
       const ReducedSwimmer        swimmer(model);
       const Drive                 drive  = drive_of(field);
-      const std::filesystem::path folder = common.output / "replay" / file_name(field.name);
+      const std::filesystem::path folder = common.output / replay_folder_name(field.name);
       const std::filesystem::path file   = folder / "field.csv";
       const double samples_per_s         = options.steps_per_period * drive.frequency_Hz; // the steps' own instants
       agree([&] {

@@ -5,6 +5,7 @@
 #include <app/full_order/full_order_laboratory.h>
 #include <app/full_order/full_order_plant.h>
 #include <app/full_order/full_order_run.h>
+#include <app/full_order/model_refinement.h>
 #include <datasets/system/error.h>
 
 namespace swimtwin
@@ -27,7 +28,7 @@ namespace swimtwin
     return 0.;
   }
 
-  std::unique_ptr<Plant> make_full_order_plant(const Scene &, const FullOrderPlantOptions &)
+  std::unique_ptr<FullOrderPlant> make_full_order_plant(const Scene &, const FullOrderPlantOptions &)
   {
     require_full_order_model("[loop] plant = \"full-order\"", RanksAtWork::this_one);
     return {};
@@ -37,6 +38,13 @@ namespace swimtwin
                                                                         const FieldSignal &)
   {
     require_full_order_model("a full-order laboratory", RanksAtWork::this_one);
+    return {};
+  }
+
+  RefinedModel refine_model(const RefinedModel &, const std::vector<std::filesystem::path> &, const CommonOptions &,
+                            int)
+  {
+    require_full_order_model("--refine", RanksAtWork::all);
     return {};
   }
 

@@ -6,6 +6,7 @@
 #include <app/full_order/full_order_plant.h>
 #include <app/full_order/full_order_program.h>
 #include <app/full_order/full_order_run.h>
+#include <app/full_order/model_refinement.h>
 #include <app/plan.h>
 #include <app/resistance.h>
 #include <app/simulate.h>
@@ -38,6 +39,12 @@ namespace swimtwin
     continue_in_full_order_program(RanksAtWork::all);
   }
 
+  RefinedModel refine_model(const RefinedModel &, const std::vector<std::filesystem::path> &, const CommonOptions &,
+                            int)
+  {
+    continue_in_full_order_program(RanksAtWork::all);
+  }
+
   PlanReplay replay_on_full_order_model(const ReducedModel &, const PlanResult &, const CommonOptions &,
                                         const ReplayOptions &)
   {
@@ -61,7 +68,7 @@ namespace swimtwin
     continue_in_full_order_program(RanksAtWork::this_one);
   }
 
-  std::unique_ptr<Plant> make_full_order_plant(const Scene &, const FullOrderPlantOptions &)
+  std::unique_ptr<FullOrderPlant> make_full_order_plant(const Scene &, const FullOrderPlantOptions &)
   {
     continue_in_full_order_program(RanksAtWork::this_one);
   }

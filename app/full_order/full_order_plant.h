@@ -4,6 +4,7 @@
 #include <control/steering/plant.h>
 #include <datasets/scene/scene.h>
 
+#include <filesystem>
 #include <memory>
 
 namespace swimtwin
@@ -14,6 +15,14 @@ namespace swimtwin
     double frequency_Hz     = 0.; ///< of the plan's carrier
   };
 
+  /// Remembers the tail's shapes, some thirty per carrier period at most.
+  class FullOrderPlant : public Plant
+  {
+  public:
+    /// As `simulate` leaves them. Throws ComputationError.
+    virtual void write_snapshots(const std::filesystem::path &file) const = 0;
+  };
+
   /// Throws InputError in a build without the full-order model.
-  std::unique_ptr<Plant> make_full_order_plant(const Scene &scene, const FullOrderPlantOptions &options);
+  std::unique_ptr<FullOrderPlant> make_full_order_plant(const Scene &scene, const FullOrderPlantOptions &options);
 } // namespace swimtwin

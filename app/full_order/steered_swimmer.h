@@ -36,6 +36,7 @@ namespace swimtwin
     }
 
     const FullOrderModel<dim> &model() const { return model_; }
+    const Scene               &scene() const { return scene_; } ///< its field is that of the last step
     const dealii::Point<dim>  &center() const { return model_.now().configuration.pose.center; }
     double                     angle_rad() const { return angle_rad_; } ///< goes on beyond a turn
 

@@ -2,9 +2,9 @@
 #include <app/train.h>
 
 #include <app/claimed_folder.h>
-#include <app/progress_bar.h>
 #include <app/ranks.h>
 #include <app/shipped_files.h>
+#include <app/stage_bar.h>
 #include <app/written_files.h>
 #include <datasets/reduced/held_out_error.h>
 #include <datasets/system/console.h>
@@ -14,9 +14,6 @@
 #include <rom/training/aimed_training.h>
 
 #include <fmt/format.h>
-
-#include <chrono>
-#include <memory>
 
 namespace swimtwin
 {
@@ -35,36 +32,6 @@ namespace swimtwin
       MPI_Bcast(&complete, sizeof complete, MPI_BYTE, 0, MPI_COMM_WORLD);
       return complete;
     }
-
-    /// One line per stage on the terminal.
-    class StageBar
-    {
-    public:
-      explicit StageBar(const bool quiet) : quiet_(quiet) {}
-
-      void show(const std::string &stage, const int done, const int total)
-      {
-        if (stage != stage_)
-        {
-          bar_.reset();
-          if (!quiet_)
-            say("{}\n", stage);
-          stage_ = stage;
-          first_ = done;
-          start_ = std::chrono::steady_clock::now();
-          bar_   = std::make_unique<ProgressBar>(quiet_);
-        }
-        const double elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-        bar_->show(done, total, done - first_, elapsed_s);
-      }
-
-    private:
-      bool                                  quiet_;
-      std::string                           stage_;
-      int                                   first_ = 0;
-      std::chrono::steady_clock::time_point start_;
-      std::unique_ptr<ProgressBar>          bar_;
-    };
 
     /// The model is kept and says what it is worth; scripts learn from the exit code whether that is enough.
     void conclude(const TrainingRecord &record, const std::filesystem::path &file)

@@ -278,10 +278,11 @@ namespace swimtwin
         const Interval &bx = task_.model.range.bx_T, &by = task_.model.range.by_T;
         if (best.largest_field_T > std::hypot(bx.high, by.high) * (1. + 1e-3) || !bx.contains(best.bx_T.front()) ||
             best.by_T.size() > 3)
-          result_.warnings.push_back(
-              fmt::format("the model's modes come from sinusoids with bx from {:.3g} to {:.3g} T and by from {:.3g} to "
-                          "{:.3g} T, and this field is another one: say --replay to know its true gain",
-                          bx.low, bx.high, by.low, by.high));
+          result_.warnings.push_back(fmt::format(
+              "the model's modes come from sinusoids with bx from {:.3g} to {:.3g} T and by from {:.3g} to "
+              "{:.3g} T, and this field is another one: a --replay tells its true gain, --refine trains on its "
+              "shapes",
+              bx.low, bx.high, by.low, by.high));
       }
 
       const ReducedSwimmer                  swimmer_;

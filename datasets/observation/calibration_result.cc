@@ -198,6 +198,7 @@ namespace swimtwin
     visit("residuals", v.residuals);
     visit("next", v.next);
     visit("discrepancy", v.discrepancy);
+    visit("refinement", v.refinement);
     visit("warnings", v.warnings);
     visit("model_file", v.model_file);
     visit("scene_name", v.scene_name);
@@ -241,11 +242,22 @@ namespace swimtwin
     write_json_file(file, json_of(result));
   }
 
+  double ModelDiscrepancy::largest_difference() const
+  {
+    double largest = 0.;
+    for (const FullOrderCheck &check : checks)
+      largest = std::max(largest, std::abs(check.reduced / check.full_order - 1.));
+    return largest;
+  }
+
   CalibrationResult read_calibration_result(const std::filesystem::path &file)
   {
     Json json = read_json_file(file, "the result of a calibration", "run `swimtwin calibrate` again");
     if (json.is_object())
-      json.emplace("inertia", Json::array()); // results of earlier versions lack it: they carried none
+    {
+      json.emplace("inertia", Json::array());    // results of earlier versions lack it: they carried none
+      json.emplace("refinement", Json::array()); // and were not refined
+    }
     CalibrationResult result;
     try
     {

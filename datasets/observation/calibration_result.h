@@ -1,6 +1,7 @@
 // What a fit of the swimmer to displacement-frequency data found, and what the data cannot tell: calibration.json.
 #pragma once
 
+#include <datasets/run/refinement.h>
 #include <datasets/system/provenance.h>
 
 #include <Eigen/Dense>
@@ -135,6 +136,9 @@ namespace swimtwin
     Eigen::VectorXd             moved_estimate; ///< of the free parameters, when the checks correct the model; or empty
     double                      largest_move = 0.; ///< over half the parameter's interval
     std::string                 verdict;           ///< one sentence
+
+    /// Of both models in the checks, relative to the full-order one.
+    double largest_difference() const;
   };
 
   struct CalibrationResult
@@ -174,7 +178,8 @@ namespace swimtwin
     std::vector<ObservationResidual> residuals;
     std::optional<NextExperiment>    next;
     ModelDiscrepancy                 discrepancy;
-    std::vector<std::string>         warnings; ///< outside the trained range, implausible data, ...
+    std::vector<RefinementRound>     refinement; ///< of the model: each round's, the last one made this fit; or empty
+    std::vector<std::string>         warnings;   ///< outside the trained range, implausible data, ...
 
     std::string              model_file, scene_name, problem_text;
     std::vector<std::string> data_files;

@@ -107,11 +107,20 @@ namespace swimtwin
     visit("trade_off", v.trade_off);
     visit("members", v.members);
     visit("replay", v.replay);
+    visit("refinement", v.refinement);
     visit("warnings", v.warnings);
     visit("search_time_s", v.search_time_s);
     visit("seed", v.seed);
     visit("goal_text", v.goal_text);
     visit("provenance", v.provenance);
+  }
+
+  double PlanReplay::largest_difference() const
+  {
+    double largest = 0.;
+    for (const ReplayedField &field : fields)
+      largest = std::max(largest, std::abs(field.reduced_displacement_m.back() / field.displacement_m.back() - 1.));
+    return largest;
   }
 
   const PlannedField *PlanResult::find(const std::string &name) const
@@ -148,7 +157,9 @@ namespace swimtwin
 
   PlanResult read_plan_result(const std::filesystem::path &file)
   {
-    const Json json = read_json_file(file, "the plan", "run `swimtwin optimize` again");
+    Json json = read_json_file(file, "the plan", "run `swimtwin optimize` again");
+    if (json.is_object())
+      json.emplace("refinement", Json::array()); // plans of earlier versions lack it: there was none
     PlanResult result;
     try
     {

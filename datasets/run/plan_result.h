@@ -1,6 +1,7 @@
 // What a search for a field found, what it is measured against, and whether the full-order model agrees: plan.json.
 #pragma once
 
+#include <datasets/run/refinement.h>
 #include <datasets/system/provenance.h>
 
 #include <filesystem>
@@ -75,6 +76,8 @@ namespace swimtwin
     double                     wall_time_s = 0.;
 
     double gain() const { return fields.at(1).mean_speed_m_s / fields.at(0).mean_speed_m_s; }
+    /// Of the last period's displacements on both models, relative; the larger of both fields.
+    double largest_difference() const;
   };
 
   /// One swimmer of a robust plan.
@@ -94,14 +97,15 @@ namespace swimtwin
     double young_modulus_Pa = 0., viscosity_Pa_s = 0., magnetization_A_m = 0.;
     double heading_rad = 0., sample_rate_Hz = 0.;
 
-    std::vector<PlannedField>  fields;
-    std::vector<TradeOffPoint> trade_off;
-    std::vector<PlannedMember> members; ///< of a robust plan
-    std::optional<PlanReplay>  replay;
-    std::vector<std::string>   warnings;
-    double                     search_time_s = 0.;
-    unsigned long              seed          = 0;
-    Provenance                 provenance;
+    std::vector<PlannedField>    fields;
+    std::vector<TradeOffPoint>   trade_off;
+    std::vector<PlannedMember>   members; ///< of a robust plan
+    std::optional<PlanReplay>    replay;
+    std::vector<RefinementRound> refinement; ///< of the model: each round's, the last one made this plan; or empty
+    std::vector<std::string>     warnings;
+    double                       search_time_s = 0.;
+    unsigned long                seed          = 0;
+    Provenance                   provenance;
 
     /// Null if there is none.
     const PlannedField *find(const std::string &name) const;

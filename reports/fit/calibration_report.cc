@@ -4,6 +4,7 @@
 #include <reports/fit/fitted_quantity.h>
 #include <reports/page/number_text.h>
 #include <reports/page/provenance_section.h>
+#include <reports/page/refinement_table.h>
 
 #include <fmt/format.h>
 
@@ -147,6 +148,7 @@ namespace swimtwin
     page.add_heading("Observations and residuals");
     page.add_table(observation_table(result));
     add_discrepancy(page, result.discrepancy);
+    add_refinement(page, result.refinement);
     if (result.next)
       add_next(page, *result.next);
     page.add_heading("How the minimum was found");

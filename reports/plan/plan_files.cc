@@ -15,6 +15,11 @@ namespace swimtwin
     return file;
   }
 
+  std::string replay_folder_name(const std::string &field)
+  {
+    return "replay/" + file_name(field);
+  }
+
   bool is_plan(const fs::path &folder)
   {
     return fs::exists(folder / plan_name);

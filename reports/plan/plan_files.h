@@ -16,6 +16,8 @@ namespace swimtwin
 
   /// "optimal-field" for "optimal field".
   std::string file_name(const std::string &name);
+  /// In the output folder, of a field's run on the full-order model.
+  std::string replay_folder_name(const std::string &field);
 
   /// The motion of a field over some periods, from the start of its periodic motion.
   struct PlannedMotion

@@ -2,6 +2,7 @@
 
 #include <reports/page/number_text.h>
 #include <reports/page/provenance_section.h>
+#include <reports/page/refinement_table.h>
 #include <reports/page/shown_units.h>
 
 #include <fmt/format.h>
@@ -135,6 +136,7 @@ namespace swimtwin
       page.add_heading("Replay on the full-order model: displacement per period");
       page.add_table(replay_table(*plan.replay));
     }
+    add_refinement(page, plan.refinement);
     if (!plan.members.empty())
     {
       page.add_heading("Swimmers of the calibration's sample");

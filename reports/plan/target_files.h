@@ -3,6 +3,7 @@
 
 #include <control/steering/plant.h>
 #include <control/goal/target_goal.h>
+#include <datasets/run/refinement.h>
 #include <datasets/system/provenance.h>
 
 #include <filesystem>
@@ -28,6 +29,7 @@ namespace swimtwin
     std::optional<std::vector<TargetInstant>> replay; ///< of the full-order model in the same field
     double                                    body_length_m = 0.;
     std::string                               model_file;
+    std::vector<RefinementRound>              refinement; ///< of the model: each round's; or empty
     std::vector<std::string>                  warnings;
     Provenance                                provenance;
 

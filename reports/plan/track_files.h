@@ -3,6 +3,7 @@
 
 #include <control/goal/tracking_goal.h>
 #include <datasets/files/json_entries.h>
+#include <datasets/run/refinement.h>
 
 #include <filesystem>
 #include <optional>
@@ -13,23 +14,26 @@
 namespace swimtwin
 {
   inline constexpr const char *track_table_name = "track.csv", *track_summary_name = "track.json",
-                              *track_field_name = "field.csv", *replay_table_name = "replay.csv";
+                              *track_field_name = "field.csv", *replay_table_name = "replay.csv",
+                              *replay_snapshots_name = "replay-snapshots.h5";
 
   struct TrackRecord
   {
-    TrackingGoal               goal;
-    TrackResult                result;
-    std::optional<TrackResult> replay; ///< of a plan, played blindly on a full-order plant
-    double                     body_length_m = 0.;
-    std::string                model_file;
-    std::vector<std::string>   warnings;
-    Provenance                 provenance;
+    TrackingGoal                 goal;
+    TrackResult                  result;
+    std::optional<TrackResult>   replay; ///< of a plan, played blindly on a full-order plant
+    double                       body_length_m = 0.;
+    std::string                  model_file;
+    std::vector<RefinementRound> refinement; ///< of the model: each round's; or empty
+    std::vector<std::string>     warnings;
+    Provenance                   provenance;
   };
 
   /// Write what a verb's goal led to, with warnings, goal, model and provenance at the end.
   template <typename Record>
   void write_summary(const std::filesystem::path &file, Json json, const Record &record)
   {
+    json["refinement"] = json_of(record.refinement);
     json["warnings"]   = record.warnings;
     json["goal"]       = record.goal.text;
     json["model_file"] = record.model_file;

@@ -75,6 +75,21 @@ namespace swimtwin
     return runs;
   }
 
+  std::vector<HeldOutRun> compare_with_known(const ReducedModel &model, const Scene &scene,
+                                             std::vector<HeldOutRun> runs)
+  {
+    for (HeldOutRun &run : runs)
+    {
+      const SweepResult predicted = predict(
+          model, scene,
+          {run.young_modulus_Pa, run.viscosity_Pa_s, run.magnetization_A_m, run.frequency_Hz, run.bx_T, run.by_T});
+      run.reduced_displacement_m = predicted.displacement_m;
+      run.indicator_m            = predicted.error_indicator_m;
+      run.fit_change_m           = predicted.fit_change_m;
+    }
+    return runs;
+  }
+
   std::vector<HeldOutRun> compare_with_inertia(const ReducedModel &model, const Scene &scene,
                                                const std::vector<RunParameters> &members,
                                                const TrainingRunOptions &options, const MPI_Comm communicator)

@@ -16,6 +16,10 @@ namespace swimtwin
                                                   const std::vector<RunParameters> &members,
                                                   const TrainingRunOptions &options, MPI_Comm communicator);
 
+  /// The model's answers to runs that are known.
+  std::vector<HeldOutRun> compare_with_known(const ReducedModel &model, const Scene &scene,
+                                             std::vector<HeldOutRun> runs);
+
   /// The same with all of inertia on both sides, at the scene's resolution alone. Collective.
   std::vector<HeldOutRun> compare_with_inertia(const ReducedModel &model, const Scene &scene,
                                                const std::vector<RunParameters> &members,

@@ -40,6 +40,20 @@ namespace swimtwin
     }
   } // namespace
 
+  TrainingOptions options_to_refine(const ReducedModel &model)
+  {
+    TrainingOptions options;
+    options.range         = model.range;
+    options.n_coordinates = model.n_modes();
+    if (model.record.n_resistance_samples > 0)
+      options.n_samples = model.record.n_resistance_samples;
+    options.known_runs = model.record.held_out_runs;
+    options.n_held_out = static_cast<int>(options.known_runs.size());
+    if (model.record.target > 0.)
+      options.target = model.record.target;
+    return options;
+  }
+
   void require_trainable(const Scene &scene)
   {
     require(scene, scene.tail.has_value(), "it has no [tail], so that there is no shape to reduce",

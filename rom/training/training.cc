@@ -322,6 +322,11 @@ namespace swimtwin
   template <int dim>
   void Training<dim>::compare()
   {
+    if (!options_.known_runs.empty())
+    {
+      model_.record.held_out_runs = compare_with_known(model_, scene_, options_.known_runs);
+      return;
+    }
     model_.record.held_out_runs =
         compare_with_full_order(model_, scene_, spread_members(options_.range, options_.n_held_out, 200),
                                 run_options("held-out", "held-out full-order runs"), communicator_);

@@ -29,6 +29,7 @@ namespace swimtwin
     double                budget_s         = 3600.; ///< CPU time of all ranks: beyond it nothing is added to the model
     double                shape_margin     = 1.15;  ///< region that is sampled over the largest shape seen
     std::vector<std::filesystem::path> snapshots;   ///< more files of the same swimmer
+    std::vector<HeldOutRun>            known_runs;  ///< compared with instead of making n_held_out runs
     /// On every rank: work done and in all, of a stage of the training.
     std::function<void(const std::string &stage, int done, int total)> on_progress;
   };
@@ -36,6 +37,10 @@ namespace swimtwin
   /// Range around a scene's own values: stiffness from half to four times, frequency from an eighth to four times,
   /// magnetization from half to twice. Throws what require_trainable does.
   TrainedRange default_range(const Scene &scene);
+
+  /// To make a model again from its scene with more snapshots: range, coordinates, samples and target as it has them,
+  /// compared with the held-out runs that it knows.
+  TrainingOptions options_to_refine(const ReducedModel &model);
 
   /// Throws InputError for a scene that the reduced swimmer cannot be: no tail, no fluid, a fixed head, gravity, walls
   /// that move, a tail that is not elastic or linear, another field than the sinusoid, in space a motion out of the

@@ -52,6 +52,14 @@ max_evaluations = 12
     }
   } // namespace
 
+  TEST_F(OptimizeVerb, SaysThatARefinementNeedsTheFullOrderModel)
+  {
+    const Outcome outcome = optimize(a_goal, {"--refine", "1"});
+    EXPECT_EQ(outcome.code, 2);
+    expect_part(outcome.errors, "--refine needs the full-order model");
+    EXPECT_FALSE(std::filesystem::exists(results));
+  }
+
   TEST_F(OptimizeVerb, WritesFieldPlanMotionsAndPage)
   {
     const Outcome outcome = optimize(a_goal, {"--no-picture", "--trade-off", "0.6"});

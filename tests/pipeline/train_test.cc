@@ -1,5 +1,6 @@
 #include <tests/pipeline/simulation.h>
 
+#include <datasets/files/json_entries.h>
 #include <datasets/text/csv_table.h>
 #include <datasets/reduced/reduced_model.h>
 
@@ -93,6 +94,38 @@ namespace swimtwin
     EXPECT_NE(history.back().find("It ended because"), std::string::npos);
     expect_failure(run_tool(train_arguments(results, {"--budget", "1s", "--resume"}, "1e-5")), 1,
                    {"misses its target"}); // the samples and runs are there already
+  }
+
+  // The plan's own shapes are trained on, and known full-order runs are not made again.
+  TEST(Train, FollowsItsUseWhereAPlanAsksForIt)
+  {
+    const TemporaryFolder folder;
+    const std::string     first = folder.path / "model" / "model.h5", results = folder.path / "plan";
+    ASSERT_EQ(run_tool(train_arguments(folder.path / "model")).exit_code, 0);
+    const std::string goal = folder.write("goal.toml", "[objective]\nmean_speed = 1\n[field]\nharmonics = 2\n"
+                                                       "family = \"symmetric\"\nfrequency_low_Hz = 0.5\n"
+                                                       "frequency_high_Hz = 1.5\nsample_rate_Hz = 200\n"
+                                                       "[limits]\nmagnitude_T = 7e-3\n[search]\nstarts = 0\n"
+                                                       "max_evaluations = 20\ngradient_free_budget = 0\n");
+    const Outcome     outcome =
+        run_tool({"optimize", first, goal, "--refine", "1", "--refine-target", "0.0001%", "--replay-periods", "2",
+                  "--replay-steps", "80", "--no-picture", "--output", results});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("after 1 of 1 refinements the models differ by"), std::string::npos) << outcome.err;
+    const Json plan = read_json_file(folder.path / "plan" / "plan.json", "the plan", "");
+    ASSERT_EQ(plan.at("refinement").size(), 2u);
+    const std::string refined = folder.path / "plan" / "refined-1" / "model.h5";
+    EXPECT_EQ(plan.at("model_file"), refined);
+    EXPECT_EQ(plan.at("refinement")[1].at("model_file"), refined);
+    EXPECT_LT(plan.at("refinement")[1].at("difference"), plan.at("refinement")[0].at("difference"));
+
+    const TrainingRecord before = read_reduced_model(first).record, after = read_reduced_model(refined).record;
+    EXPECT_GT(after.n_snapshots, before.n_snapshots);
+    ASSERT_EQ(after.held_out_runs.size(), 1u);
+    EXPECT_EQ(after.held_out_runs[0].displacement_m, before.held_out_runs[0].displacement_m);
+    EXPECT_NE(after.held_out_runs[0].reduced_displacement_m, before.held_out_runs[0].reduced_displacement_m);
+    EXPECT_FALSE(std::filesystem::exists(folder.path / "plan" / "refined-1" / "held-out"));
+    EXPECT_TRUE(std::filesystem::exists(folder.path / "plan" / "refined-1" / "shapes" / "2.h5"));
   }
 
   TEST(Train, RefusesWhatTheReducedSwimmerCannotBe)

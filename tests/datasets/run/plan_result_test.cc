@@ -30,11 +30,12 @@ namespace swimtwin
   {
     const TemporaryFolder folder;
     PlanResult            written;
-    written.status    = "converged";
-    written.fields    = {field(tuned_field_name, 4e-4), field(optimal_field_name, 6e-4)};
-    written.trade_off = {{0.5, 1e-4, 2e-4, 1., 2., "converged", "stalled"}};
-    written.warnings  = {"a doubt"};
-    written.replay    = PlanReplay{100, {{"a", 0.1, {1., 2.}, {1., 2.}, 4e-4}, {"b", 0.1, {1.}, {1.}, 5.8e-4}}, 3.};
+    written.status     = "converged";
+    written.fields     = {field(tuned_field_name, 4e-4), field(optimal_field_name, 6e-4)};
+    written.trade_off  = {{0.5, 1e-4, 2e-4, 1., 2., "converged", "stalled"}};
+    written.warnings   = {"a doubt"};
+    written.refinement = {{"model.h5", 0.014}, {"refined-1/model.h5", 0.002}};
+    written.replay     = PlanReplay{100, {{"a", 0.1, {1., 2.}, {1., 2.}, 4e-4}, {"b", 0.1, {1.}, {1.}, 5.8e-4}}, 3.};
     write_plan_result(folder.path / "plan.json", written);
     const PlanResult read = read_plan_result(folder.path / "plan.json");
     EXPECT_EQ(read.fields.size(), 2u);
@@ -44,9 +45,28 @@ namespace swimtwin
     EXPECT_TRUE(std::isnan(read.fields[0].kkt_residual)); // null in between
     EXPECT_EQ(read.trade_off[0].optimal_status, "stalled");
     EXPECT_EQ(read.warnings, written.warnings);
+    ASSERT_EQ(read.refinement.size(), 2u);
+    EXPECT_EQ(read.refinement[1].model_file, "refined-1/model.h5");
+    EXPECT_EQ(read.refinement[1].difference, 0.002);
     ASSERT_TRUE(read.replay);
     EXPECT_EQ(read.replay->fields[1].displacement_m, std::vector<double>{1.});
     EXPECT_DOUBLE_EQ(read.gain(), 1.5);
+  }
+
+  TEST(PlanResult, OfAnEarlierVersionWasNotRefined)
+  {
+    const TemporaryFolder folder;
+    write_plan_result(folder.path / "plan.json", {});
+    Json json = read_json_file(folder.path / "plan.json", "the plan", "");
+    json.erase("refinement");
+    write_json_file(folder.path / "plan.json", json);
+    EXPECT_TRUE(read_plan_result(folder.path / "plan.json").refinement.empty());
+  }
+
+  TEST(PlanResult, KnowsTheLargestDifferenceOfBothModels)
+  {
+    const PlanReplay replay{100, {{"a", 0., {3., 1.}, {1., 1.01}, 1.}, {"b", 0., {9., 2.}, {1., 1.9}, 2.}}, 1.};
+    EXPECT_NEAR(replay.largest_difference(), 0.05, 1e-12); // of last periods
   }
 
   TEST(PlanResult, SaysWhetherTheFullOrderModelAgrees)

@@ -1,0 +1,25 @@
+// A model that follows its use: trained again with the shapes of full-order runs of what was made with it.
+#pragma once
+
+#include <app/verb.h>
+#include <datasets/reduced/reduced_model.h>
+
+#include <filesystem>
+#include <vector>
+
+namespace swimtwin
+{
+  /// A model and where it lies, with the snapshots that it was refined with.
+  struct RefinedModel
+  {
+    ReducedModel                       model;
+    std::filesystem::path              file;
+    std::vector<std::filesystem::path> shapes = {};
+  };
+
+  /// The model trained again over its range with these snapshots.h5 as well, in `refined-ROUND` of the output folder.
+  /// Runs that its own training left beside its file are not made again. Collective. Throws InputError and
+  /// ComputationError.
+  RefinedModel refine_model(const RefinedModel &before, const std::vector<std::filesystem::path> &snapshots,
+                            const CommonOptions &common, int round);
+} // namespace swimtwin

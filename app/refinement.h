@@ -1,0 +1,45 @@
+// Verbs whose model follows its use: their options, and how their rounds end.
+#pragma once
+
+#include <datasets/run/refinement.h>
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace swimtwin
+{
+  struct RefineOptions
+  {
+    int         n_rounds = 0;      ///< at most
+    std::string target   = "0.5%"; ///< as typed
+
+    bool is_asked_for() const { return n_rounds > 0; }
+  };
+
+  void add_refine_options(CLI::App &verb, RefineOptions &options);
+
+  /// Rounds so far: the first is that of the model as it came.
+  class Refinement
+  {
+  public:
+    /// Throws InputError for a target that is no share.
+    explicit Refinement(const RefineOptions &options);
+
+    /// Note how far both models differ at the result of this one. Returns whether to refine it once more.
+    bool goes_on(const std::filesystem::path &model_file, double difference);
+
+    int                                 n_done() const { return static_cast<int>(rounds_.size()) - 1; }
+    const std::vector<RefinementRound> &rounds() const { return rounds_; }
+    std::string                         last_round() const; ///< a line for the terminal
+    /// A warning; empty if the models agree.
+    std::string shortfall() const;
+
+  private:
+    double                       target_;
+    int                          n_rounds_;
+    std::vector<RefinementRound> rounds_;
+  };
+} // namespace swimtwin

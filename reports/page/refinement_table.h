@@ -1,0 +1,13 @@
+// Rounds of a refinement, for the pages of all verbs that refine their model.
+#pragma once
+
+#include <datasets/run/refinement.h>
+#include <reports/page/html_page.h>
+
+#include <vector>
+
+namespace swimtwin
+{
+  /// With a heading; nothing if there are none.
+  void add_refinement(HtmlPage &page, const std::vector<RefinementRound> &rounds);
+} // namespace swimtwin
