@@ -246,9 +246,9 @@ namespace swimtwin
 
     /// Fits again with refined models, until both models agree at the estimate or the rounds are over.
     CalibrationResult refine_and_fit(const CalibrateCommand &command, const CalibrationInput &input,
-                                     const InertiaTerms &carried, CalibrationResult result, RefinedModel &by)
+                                     const InertiaTerms &carried, Refinement refinement, CalibrationResult result,
+                                     RefinedModel &by)
     {
-      Refinement refinement(command.refine);
       while (!result.discrepancy.checks.empty())
       {
         const bool goes_on = refinement.goes_on(by.file, result.discrepancy.largest_difference());
@@ -268,7 +268,8 @@ namespace swimtwin
       return result;
     }
 
-    void calibrate_in_folder(const CalibrateCommand &command, const CalibrationInput &input)
+    void calibrate_in_folder(const CalibrateCommand &command, const Refinement &refinement,
+                             const CalibrationInput &input)
     {
       const auto &[as_it_came, problem, sets] = input;
       const CommonOptions &common             = command.common;
@@ -277,7 +278,7 @@ namespace swimtwin
       RefinedModel         by{as_it_came, find_model(command.model)};
       CalibrationResult    result = fit(command, input, carried, by);
       if (command.refine.is_asked_for())
-        result = refine_and_fit(command, input, carried, std::move(result), by);
+        result = refine_and_fit(command, input, carried, refinement, std::move(result), by);
       const ReducedModel &model = by.model;
       complete(command, model, problem, sets, carried, wall_time_s() - start, result);
       write_calibration_files(common.output, result,
@@ -299,6 +300,7 @@ namespace swimtwin
       throw InputError(
           "--output is required: name a folder for the results, or say --check to look at problem and data "
           "without a fit.");
+    const Refinement       refinement(command.refine);
     const CalibrationInput input = read_calibration_input(command);
     require_borne_model_error(input.model, command.model, command.accepts_model_error);
     if (n_checks_of(command) > 0)
@@ -307,7 +309,7 @@ namespace swimtwin
     for (const ObservationSet &set : input.sets)
       files.insert(files.end(), {set.file, set.field.file});
     work_in_folder(output_request(command.common, written_by::calibrate(), files),
-                   [&](const Begun &) { calibrate_in_folder(command, input); });
+                   [&](const Begun &) { calibrate_in_folder(command, refinement, input); });
   }
 
   Work add_calibrate(CLI::App &tool, const std::string &command_line)

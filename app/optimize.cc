@@ -155,12 +155,13 @@ namespace swimtwin
       const Scene                    &scene;
       GoalFile                       &file;
       const std::vector<std::string> &warnings; ///< of its field program
+      Refinement                      refinement;
     };
 
     PlanResult make_plan(const OptimizeCommand &command, const PlanInput &input)
     {
-      const auto &[model, scene, file, warnings] = input;
-      file.options.search.n_threads              = command.n_threads;
+      const auto &[model, scene, file, warnings, refinement] = input;
+      file.options.search.n_threads                          = command.n_threads;
       if (is_speaker() && !command.common.quiet)
         file.options.on_progress = [](const std::string &what) { say("  searching: {}\n", what); };
       PlanResult plan = plan_field(model, file.goal, reference_drive(scene), file.options, members_of(file.goal));
@@ -225,7 +226,7 @@ namespace swimtwin
     PlanResult refine_and_plan(const OptimizeCommand &command, const PlanInput &input, PlanResult plan,
                                RefinedModel &by)
     {
-      Refinement refinement(command.refine);
+      Refinement refinement = input.refinement;
       while (plan.replay)
       {
         const bool goes_on = refinement.goes_on(by.file, plan.replay->largest_difference());
@@ -234,7 +235,7 @@ namespace swimtwin
         if (!goes_on)
           break;
         by = refine_model(by, replayed_snapshots(plan, command.common.output), command.common, refinement.n_done() + 1);
-        plan = plan_and_replay(command, {by.model, input.scene, input.file, input.warnings}, by.file);
+        plan = plan_and_replay(command, {by.model, input.scene, input.file, input.warnings, refinement}, by.file);
       }
       if (const std::string shortfall = refinement.shortfall(); !shortfall.empty())
         plan.warnings.push_back(shortfall);
@@ -273,6 +274,7 @@ namespace swimtwin
       check_and_print(model, file, reference_drive(scene));
     if (command.check_gradients)
       return;
+    const Refinement         refinement(command.refine);
     std::vector<std::string> warnings;
     import_program(file, warnings);
     if (!command.trade_off.empty())
@@ -281,7 +283,7 @@ namespace swimtwin
       require_full_order_model(command.with_replay ? "--replay" : "--refine", RanksAtWork::all);
     const std::vector<std::filesystem::path> inputs{find_model(command.model), command.goal, file.program};
     work_in_folder_together(output_request(command.common, written_by::optimize(), inputs), [&](const Begun &) {
-      optimize_in_folder(command, {model, scene, file, warnings});
+      optimize_in_folder(command, {model, scene, file, warnings, refinement});
     });
   }
 

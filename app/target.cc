@@ -72,9 +72,8 @@ namespace swimtwin
              (planned - record.swim.front().pose.position_m).norm();
     }
 
-    void refine_and_reach(const TrackCommand &command, RefinedModel &by, TargetRecord &record)
+    void refine_and_reach(const TrackCommand &command, Refinement refinement, RefinedModel &by, TargetRecord &record)
     {
-      Refinement refinement(command.refine);
       while (record.replay)
       {
         const bool goes_on = refinement.goes_on(by.file, difference_at_end(record));
@@ -120,7 +119,8 @@ namespace swimtwin
       say("  results in {}\n", common.output.string());
     }
 
-    void reach_in_folder(const TrackCommand &command, RefinedModel by, TargetRecord &record)
+    void reach_in_folder(const TrackCommand &command, const Refinement &refinement, RefinedModel by,
+                         TargetRecord &record)
     {
       const CommonOptions &common = command.common;
       const Scene          scene  = parse_scene(by.model.scene_text, by.model.scene_name + ".toml");
@@ -129,7 +129,7 @@ namespace swimtwin
       const double start = wall_time_s();
       reach_with(command, by, record);
       if (command.refine.is_asked_for())
-        refine_and_reach(command, by, record);
+        refine_and_reach(command, refinement, by, record);
       record.provenance = {current_program_version, common.command_line,  scene.text, scene.hash,
                            utc_time_now(),          wall_time_s() - start};
       write(command, record);
@@ -149,14 +149,15 @@ namespace swimtwin
   {
     const ReducedModel model = read_reduced_model(find_model(command.model));
     require_borne_model_error(model, command.model, command.accepts_model_error);
-    TargetRecord record;
+    const Refinement refinement(command.refine);
+    TargetRecord     record;
     record.goal          = read_target_goal(command.goal, model);
     record.body_length_m = ReducedSwimmer(model).length_m();
     if (command.has_replay())
       require_full_order_model(command.reason_for_replay(), RanksAtWork::this_one);
     const std::filesystem::path file = find_model(command.model);
     work_in_folder(output_request(command.common, written_by::optimize(), {file, command.goal}), [&](const Begun &) {
-      reach_in_folder(command, {model, file}, record);
+      reach_in_folder(command, refinement, {model, file}, record);
     });
   }
 } // namespace swimtwin

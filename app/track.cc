@@ -140,9 +140,8 @@ namespace swimtwin
       return (planned[n - 1].mean_m - replayed[n - 1].mean_m).norm() / (planned[n - 1].arc_m - planned.front().arc_m);
     }
 
-    void refine_and_track(const TrackCommand &command, RefinedModel &by, TrackRecord &record)
+    void refine_and_track(const TrackCommand &command, Refinement refinement, RefinedModel &by, TrackRecord &record)
     {
-      Refinement refinement(command.refine);
       while (record.replay)
       {
         const bool goes_on = refinement.goes_on(by.file, difference_at_end(record));
@@ -158,7 +157,8 @@ namespace swimtwin
       record.refinement = refinement.rounds();
     }
 
-    void track_in_folder(const TrackCommand &command, RefinedModel by, TrackRecord &record)
+    void track_in_folder(const TrackCommand &command, const Refinement &refinement, RefinedModel by,
+                         TrackRecord &record)
     {
       const CommonOptions &common = command.common;
       const Scene          scene  = parse_scene(by.model.scene_text, by.model.scene_name + ".toml");
@@ -174,7 +174,7 @@ namespace swimtwin
         record.goal.options.on_progress = {};
       }
       if (command.refine.is_asked_for())
-        refine_and_track(command, by, record);
+        refine_and_track(command, refinement, by, record);
       record.provenance = {current_program_version, common.command_line,  scene.text, scene.hash,
                            utc_time_now(),          wall_time_s() - start};
       write(common, record);
@@ -192,7 +192,8 @@ namespace swimtwin
   {
     const ReducedModel model = read_reduced_model(find_model(command.model));
     require_borne_model_error(model, command.model, command.accepts_model_error);
-    TrackRecord record;
+    const Refinement refinement(command.refine);
+    TrackRecord      record;
     record.goal = read_tracking_goal(command.goal, model);
     if (record.goal.plant == PlantKind::external)
       throw InputError(
@@ -212,7 +213,7 @@ namespace swimtwin
       require_full_order_model("[loop] plant = \"full-order\"", RanksAtWork::this_one);
     const std::filesystem::path file = find_model(command.model);
     work_in_folder(output_request(command.common, written_by::optimize(), {file, command.goal}), [&](const Begun &) {
-      track_in_folder(command, {model, file}, record);
+      track_in_folder(command, refinement, {model, file}, record);
     });
   }
 

@@ -57,6 +57,9 @@ max_evaluations = 12
     const Outcome outcome = optimize(a_goal, {"--refine", "1"});
     EXPECT_EQ(outcome.code, 2);
     expect_part(outcome.errors, "--refine needs the full-order model");
+    const Outcome unreadable = optimize(a_goal, {"--refine", "1", "--refine-target", "soon"});
+    EXPECT_EQ(unreadable.code, 2);
+    expect_part(unreadable.errors, "--refine-target soon");
     EXPECT_FALSE(std::filesystem::exists(results));
   }
 
