@@ -129,13 +129,13 @@ namespace swimtwin
                              const FieldProgram &field, const std::optional<int> period)
   {
     if (!is_sinusoidal(field) || !period)
-      throw InputError("--verify repeats observations of a numbered period in a sinusoidal field; leave it out for "
-                       "other data.");
+      throw InputError("--verify and --refine repeat observations of a numbered period in a sinusoidal field; leave "
+                       "them out for other data.");
     Overrides overrides = physics(swimmer);
     set_field(overrides, field, swimmer.field_scale);
     set(overrides, "field.frequency_Hz", 1. / field.period_s());
     overrides.push_back(fmt::format("time.periods={}", *period));
-    overrides.push_back("output.snapshots_per_period=0");
+    overrides.push_back("output.snapshots_per_period=30"); // to refine the model with
     overrides.push_back(inertia(carried)); // like the reduced swimmer, whose other errors are looked for
     return parse_scene(model.scene_text, model.scene_name + ".toml", overrides);
   }

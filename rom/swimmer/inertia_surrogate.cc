@@ -1,53 +1,18 @@
 #include <rom/swimmer/inertia_surrogate.h>
 
 #include <cmath>
-#include <map>
 
 namespace swimtwin
 {
   namespace
   {
-    using MonomialExponents = std::vector<int>;
-
-    MonomialExponents exponents_in_row(const Eigen::MatrixXi &exponents, const Eigen::Index row)
+    /// Rows as the monomials stand in the table, from one row per row of its exponents.
+    Eigen::MatrixXd in_places(const MonomialTable &monomials, const Eigen::MatrixXd &coefficients)
     {
-      MonomialExponents e;
-      for (const int power : exponents.row(row))
-        e.push_back(power);
-      return e;
-    }
-
-    /// With the derivatives of all monomials, which come after those that were there.
-    Eigen::MatrixXi closed_under_derivatives(const Eigen::MatrixXi &exponents)
-    {
-      std::vector<MonomialExponents>   rows;
-      std::map<MonomialExponents, int> known;
-      const auto                       add = [&](const MonomialExponents &e) {
-        if (known.emplace(e, 0).second)
-          rows.push_back(e);
-      };
-      for (Eigen::Index f = 0; f < exponents.rows(); ++f)
-        add(exponents_in_row(exponents, f));
-      for (std::size_t f = 0; f < rows.size(); ++f)
-        for (std::size_t d = 0; d < rows[f].size(); ++d)
-          if (rows[f][d] > 0)
-          {
-            MonomialExponents lower = rows[f];
-            --lower[d];
-            add(lower);
-          }
-      Eigen::MatrixXi closed(static_cast<Eigen::Index>(rows.size()), exponents.cols());
-      for (std::size_t f = 0; f < rows.size(); ++f)
-        for (std::size_t d = 0; d < rows[f].size(); ++d)
-          closed(static_cast<Eigen::Index>(f), static_cast<Eigen::Index>(d)) = rows[f][d];
-      return closed;
-    }
-
-    Eigen::MatrixXd with_zero_rows(const Eigen::MatrixXd &coefficients, const Eigen::Index n)
-    {
-      Eigen::MatrixXd all              = Eigen::MatrixXd::Zero(n, coefficients.cols());
-      all.topRows(coefficients.rows()) = coefficients;
-      return all;
+      Eigen::MatrixXd placed = Eigen::MatrixXd::Zero(monomials.size(), coefficients.cols());
+      for (Eigen::Index f = 0; f < coefficients.rows(); ++f)
+        placed.row(monomials.position_of_row(static_cast<int>(f))) += coefficients.row(f);
+      return placed;
     }
 
     /// F_1 F_2^T + F_2 F_1^T. (Here and below products are lazy: of so few rows Eigen's packed ones take twice as
@@ -61,10 +26,8 @@ namespace swimtwin
 
   InertiaSurrogate::InertiaSurrogate(const ReducedInertia &inertia, const InertialDensities &densities,
                                      const Eigen::VectorXi &parity, const Eigen::VectorXi &velocity_parity)
-      : n_(static_cast<int>(velocity_parity.size()))
+      : n_(static_cast<int>(velocity_parity.size())), monomials_(inertia.exponents, parity)
   {
-    const Eigen::MatrixXi exponents = closed_under_derivatives(inertia.exponents);
-    monomials_                      = MonomialTable(exponents, parity);
     std::vector<Term> pairs, triples;
     for (int i = 0; i < n_; ++i)
       for (int j = 0; j <= i; ++j)
@@ -72,89 +35,68 @@ namespace swimtwin
     for (int i = 0; i < n_; ++i)
       for (const Term &pair : pairs)
         triples.push_back({i, pair.i, pair.j});
-    masses_ = {mass_of(inertia.fluid, densities.fluid_kg_m3, exponents, pairs, velocity_parity),
-               mass_of(inertia.tail, densities.tail_kg_m3, exponents, pairs, velocity_parity)};
-    Eigen::MatrixXd quadratic =
-        with_zero_rows(densities.fluid_kg_m3 * inertia.fluid.quadratic + densities.tail_kg_m3 * inertia.tail.quadratic,
-                       exponents.rows());
-    set_head(inertia, densities.head_kg_m3, exponents, quadratic);
+    masses_                   = {mass_of(inertia.fluid, densities.fluid_kg_m3, pairs, velocity_parity),
+                                 mass_of(inertia.tail, densities.tail_kg_m3, pairs, velocity_parity)};
+    Eigen::MatrixXd quadratic = in_places(monomials_, densities.fluid_kg_m3 * inertia.fluid.quadratic +
+                                                          densities.tail_kg_m3 * inertia.tail.quadratic);
+    set_head(inertia, densities.head_kg_m3, quadratic);
     quadratic_ = order(quadratic, triples, velocity_parity);
   }
 
   /// About its own centre: M = diag(m, m, I), and m omega x U in its frame.
-  void InertiaSurrogate::set_head(const ReducedInertia &inertia, const double density, const Eigen::MatrixXi &exponents,
-                                  Eigen::MatrixXd &quadratic)
+  void InertiaSurrogate::set_head(const ReducedInertia &inertia, const double density, Eigen::MatrixXd &quadratic)
   {
     const double m = density * inertia.head_area_m2;
     head_          = VelocityMatrix::Zero(n_, n_);
     head_.diagonal().head<3>() << m, m, density * inertia.head_second_moment_m4;
-    Eigen::Index one = 0;
-    while (exponents.row(one).sum() > 0)
-      ++one;
     const auto column = [&](const int i, const int j, const int k) {
       return i * n_ * (n_ + 1) / 2 + j * (j + 1) / 2 + k;
     };
-    quadratic(one, column(0, 2, 1)) -= m;
-    quadratic(one, column(1, 2, 0)) += m;
+    quadratic(monomials_.place_of_one(), column(0, 2, 1)) -= m;
+    quadratic(monomials_.place_of_one(), column(1, 2, 0)) += m;
   }
 
-  InertiaSurrogate::Polynomials InertiaSurrogate::order(const Eigen::MatrixXd &by_row, const std::vector<Term> &terms,
-                                                        const Eigen::VectorXi &velocity_parity) const
+  InertiaSurrogate::Polynomials InertiaSurrogate::order(const Eigen::MatrixXd   &coefficients,
+                                                        const std::vector<Term> &terms,
+                                                        const Eigen::VectorXi   &velocity_parity) const
   {
     const auto is_even = [&](const Term &t) {
       return velocity_parity[t.i] * velocity_parity[t.j] * (t.k < 0 ? 1 : velocity_parity[t.k]) > 0;
     };
-    Polynomials                  result;
-    std::vector<Eigen::VectorXd> rows;
-    int                          n_even = 0;
+    std::vector<Eigen::Index> columns; // of the coefficients, even ones first
+    Polynomials               result;
+    Eigen::Index              n_even = 0;
     for (const bool even : {true, false})
       for (std::size_t c = 0; c < terms.size(); ++c)
         if (is_even(terms[c]) == even)
         {
+          columns.push_back(static_cast<Eigen::Index>(c));
           result.terms.push_back(terms[c]);
           n_even += even;
-          Eigen::VectorXd row = Eigen::VectorXd::Zero(monomials_.size());
-          for (Eigen::Index f = 0; f < by_row.rows(); ++f)
-            row[monomials_.position_of_row(static_cast<int>(f))] += by_row(f, static_cast<Eigen::Index>(c));
-          rows.push_back(row);
         }
-    const Eigen::Index n_monomials = monomials_.size(), n_even_monomials = monomials_.n_even();
-    result.even.resize(n_even, n_even_monomials);
-    result.odd.resize(static_cast<Eigen::Index>(rows.size()) - n_even, n_monomials - n_even_monomials);
-    for (Eigen::Index k = 0; k < static_cast<Eigen::Index>(rows.size()); ++k)
-      if (const Eigen::VectorXd &row = rows[static_cast<std::size_t>(k)]; k < n_even)
-        result.even.row(k) = row.head(n_even_monomials).transpose();
-      else
-        result.odd.row(k - n_even) = row.tail(n_monomials - n_even_monomials).transpose();
+    const Eigen::MatrixXd by_term = coefficients(Eigen::all, columns).transpose();
+    const Eigen::Index    n       = monomials_.n_even();
+    result.even                   = by_term.topLeftCorner(n_even, n);
+    result.odd                    = by_term.bottomRightCorner(by_term.rows() - n_even, by_term.cols() - n);
     return result;
   }
 
   InertiaSurrogate::Mass InertiaSurrogate::mass_of(const InertiaPolynomials &material, const double density,
-                                                   const Eigen::MatrixXi &exponents, const std::vector<Term> &pairs,
-                                                   const Eigen::VectorXi &velocity_parity) const
+                                                   const std::vector<Term> &pairs,
+                                                   const Eigen::VectorXi   &velocity_parity) const
   {
-    const Eigen::MatrixXd by_row = with_zero_rows(material.mass, exponents.rows());
-    Mass                  result{density, material.factor_at_rest, order(by_row, pairs, velocity_parity), {}};
-    std::map<MonomialExponents, Eigen::Index> row_of;
-    for (Eigen::Index f = 0; f < exponents.rows(); ++f)
-      row_of[exponents_in_row(exponents, f)] = f;
-    for (Eigen::Index d = 0; d < exponents.cols(); ++d)
-    {
-      Eigen::MatrixXd gradient = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(pairs.size()), monomials_.size());
-      for (Eigen::Index f = 0; f < exponents.rows(); ++f)
-        if (exponents(f, d) > 0)
-        {
-          MonomialExponents lower = exponents_in_row(exponents, f);
-          --lower[static_cast<std::size_t>(d)];
-          const int place = monomials_.position_of_row(static_cast<int>(row_of.at(lower)));
-          for (Eigen::Index t = 0; t < gradient.rows(); ++t)
-          {
-            const Term &term = result.entries.terms[static_cast<std::size_t>(t)];
-            gradient(t, place) += exponents(f, d) * by_row(f, term.i * (term.i + 1) / 2 + term.j);
-          }
-        }
-      result.gradient.push_back(gradient);
-    }
+    const Eigen::MatrixXd coefficients = in_places(monomials_, material.mass);
+    Mass                  result{density, material.factor_at_rest, order(coefficients, pairs, velocity_parity), {}};
+    const auto            n_terms = static_cast<Eigen::Index>(pairs.size());
+    result.gradient.assign(static_cast<std::size_t>(monomials_.n_coordinates()),
+                           Eigen::MatrixXd::Zero(n_terms, monomials_.size()));
+    for (const auto &[monomial, coordinate, power, lower] : monomials_.derivatives())
+      for (Eigen::Index t = 0; t < n_terms; ++t)
+      {
+        const Term &term = result.entries.terms[static_cast<std::size_t>(t)];
+        result.gradient[static_cast<std::size_t>(coordinate)](t, lower) +=
+            power * coefficients(monomial, term.i * (term.i + 1) / 2 + term.j);
+      }
     return result;
   }
 

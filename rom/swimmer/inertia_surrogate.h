@@ -78,12 +78,12 @@ namespace swimtwin
       std::vector<Eigen::MatrixXd> gradient; ///< of d(entries)/dz_d: terms x monomials
     };
 
-    Polynomials order(const Eigen::MatrixXd &by_row, const std::vector<Term> &terms,
+    /// `coefficients`: a row per monomial as the table has them, a column per term.
+    Polynomials order(const Eigen::MatrixXd &coefficients, const std::vector<Term> &terms,
                       const Eigen::VectorXi &velocity_parity) const;
-    Mass        mass_of(const InertiaPolynomials &material, double density, const Eigen::MatrixXi &exponents,
-                        const std::vector<Term> &pairs, const Eigen::VectorXi &velocity_parity) const;
-    void        set_head(const ReducedInertia &inertia, double density, const Eigen::MatrixXi &exponents,
-                         Eigen::MatrixXd &quadratic);
+    Mass        mass_of(const InertiaPolynomials &material, double density, const std::vector<Term> &pairs,
+                        const Eigen::VectorXi &velocity_parity) const;
+    void        set_head(const ReducedInertia &inertia, double density, Eigen::MatrixXd &quadratic);
     void        set_masses(InertiaValues &result) const;
     void        set_force(const VelocityVector &velocity, InertiaValues &result) const;
     void        differentiate_mass(const Mass &mass, const Eigen::VectorXd &z_rate, const VelocityVector &velocity,

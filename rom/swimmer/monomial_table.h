@@ -28,6 +28,7 @@ namespace swimtwin
     int n_coordinates() const { return n_coordinates_; }
     /// Where the monomial of a row of `exponents` stands.
     int position_of_row(const int row) const { return position_of_row_[static_cast<std::size_t>(row)]; }
+    int place_of_one() const { return constant_place_; }
     /// All that are not zero.
     const std::vector<MonomialDerivative> &derivatives() const { return derivatives_; }
 
