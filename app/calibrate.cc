@@ -244,27 +244,28 @@ namespace swimtwin
       return result;
     }
 
-    /// Fits again with refined models, until both models agree at the estimate or the rounds are over.
+    /// Fits again with refined models.
     CalibrationResult refine_and_fit(const CalibrateCommand &command, const CalibrationInput &input,
-                                     const InertiaTerms &carried, Refinement refinement, CalibrationResult result,
-                                     RefinedModel &by)
+                                     const InertiaTerms &carried, const Refinement &refinement,
+                                     CalibrationResult result, RefinedModel &by)
     {
-      while (!result.discrepancy.checks.empty())
-      {
-        const bool goes_on = refinement.goes_on(by.file, result.discrepancy.largest_difference());
-        if (!command.common.quiet)
-          say_text(refinement.last_round());
-        if (!goes_on)
-          break;
-        std::vector<std::filesystem::path> snapshots;
+      ModelUse use;
+      use.difference = [&]() -> std::optional<double> {
+        if (result.discrepancy.checks.empty())
+          return {};
+        return result.discrepancy.largest_difference();
+      };
+      use.snapshots = [&] {
+        std::vector<std::filesystem::path> files;
         for (std::size_t i = 0; i < result.discrepancy.checks.size(); ++i)
-          snapshots.push_back(check_folder(command, static_cast<int>(i) + 1) / "snapshots.h5");
-        by     = refine_model(by, snapshots, command.common, refinement.n_done() + 1);
-        result = fit(command, input, carried, by);
-      }
-      if (const std::string shortfall = refinement.shortfall(); !shortfall.empty())
-        result.warnings.push_back(shortfall);
-      result.refinement = refinement.rounds();
+          files.push_back(check_folder(command, static_cast<int>(i) + 1) / "snapshots.h5");
+        return files;
+      };
+      use.again = [&] { result = fit(command, input, carried, by); };
+      std::vector<std::string> warnings;
+      const auto               rounds = refine_in_use(refinement, by, command.common, use, warnings);
+      result.warnings.insert(result.warnings.end(), warnings.begin(), warnings.end());
+      result.refinement = rounds;
       return result;
     }
 

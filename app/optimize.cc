@@ -222,24 +222,20 @@ namespace swimtwin
       return files;
     }
 
-    /// Plans again on refined models, until both models agree at the plan's fields or the rounds are over.
+    /// Plans again on refined models.
     PlanResult refine_and_plan(const OptimizeCommand &command, const PlanInput &input, PlanResult plan,
                                RefinedModel &by)
     {
-      Refinement refinement = input.refinement;
-      while (plan.replay)
-      {
-        const bool goes_on = refinement.goes_on(by.file, plan.replay->largest_difference());
-        if (is_speaker() && !command.common.quiet)
-          say_text(refinement.last_round());
-        if (!goes_on)
-          break;
-        by = refine_model(by, replayed_snapshots(plan, command.common.output), command.common, refinement.n_done() + 1);
-        plan = plan_and_replay(command, {by.model, input.scene, input.file, input.warnings, refinement}, by.file);
-      }
-      if (const std::string shortfall = refinement.shortfall(); !shortfall.empty())
-        plan.warnings.push_back(shortfall);
-      plan.refinement = refinement.rounds();
+      ModelUse use;
+      use.difference = [&] { return plan.replay ? std::optional(plan.replay->largest_difference()) : std::nullopt; };
+      use.snapshots  = [&] { return replayed_snapshots(plan, command.common.output); };
+      use.again      = [&] {
+        plan = plan_and_replay(command, {by.model, input.scene, input.file, input.warnings, input.refinement}, by.file);
+      };
+      std::vector<std::string> warnings;
+      const auto               rounds = refine_in_use(input.refinement, by, command.common, use, warnings);
+      plan.warnings.insert(plan.warnings.end(), warnings.begin(), warnings.end());
+      plan.refinement = rounds;
       return plan;
     }
 

@@ -1,6 +1,7 @@
 #include <app/refinement.h>
 
 #include <app/value_list.h>
+#include <datasets/system/console.h>
 
 #include <fmt/format.h>
 
@@ -40,5 +41,23 @@ namespace swimtwin
     return fmt::format("after {} of {} refinements the models differ by {:.2g} % at the result, more than "
                        "--refine-target {:.3g} %; a larger --refine goes on",
                        n_done(), n_rounds_, 100. * rounds_.back().difference, 100. * target_);
+  }
+
+  std::vector<RefinementRound> refine_in_use(Refinement refinement, RefinedModel &by, const CommonOptions &common,
+                                             const ModelUse &use, std::vector<std::string> &warnings)
+  {
+    for (std::optional<double> difference; (difference = use.difference());)
+    {
+      const bool goes_on = refinement.goes_on(by.file, *difference);
+      if (is_speaker() && !common.quiet)
+        say_text(refinement.last_round());
+      if (!goes_on)
+        break;
+      by = refine_model(by, use.snapshots(), common, refinement.n_done() + 1);
+      use.again();
+    }
+    if (const std::string shortfall = refinement.shortfall(); !shortfall.empty())
+      warnings.push_back(shortfall);
+    return refinement.rounds();
   }
 } // namespace swimtwin

@@ -1,11 +1,14 @@
 // Verbs whose model follows its use: their options, and how their rounds end.
 #pragma once
 
+#include <app/full_order/model_refinement.h>
 #include <datasets/run/refinement.h>
 
 #include <CLI/CLI.hpp>
 
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,4 +45,17 @@ namespace swimtwin
     int                          n_rounds_;
     std::vector<RefinementRound> rounds_;
   };
+
+  /// What a verb does with its model.
+  struct ModelUse
+  {
+    std::function<std::optional<double>()>              difference; ///< of both models at the result; empty without one
+    std::function<std::vector<std::filesystem::path>()> snapshots;  ///< of the full-order runs of the result
+    std::function<void()>                               again;      ///< another result, with the refined model
+  };
+
+  /// Refine the model until both models agree or the rounds are over. Returns the rounds; a difference that is left
+  /// becomes a warning. Collective.
+  std::vector<RefinementRound> refine_in_use(Refinement refinement, RefinedModel &by, const CommonOptions &common,
+                                             const ModelUse &use, std::vector<std::string> &warnings);
 } // namespace swimtwin

@@ -72,21 +72,14 @@ namespace swimtwin
              (planned - record.swim.front().pose.position_m).norm();
     }
 
-    void refine_and_reach(const TrackCommand &command, Refinement refinement, RefinedModel &by, TargetRecord &record)
+    void refine_and_reach(const TrackCommand &command, const Refinement &refinement, RefinedModel &by,
+                          TargetRecord &record)
     {
-      while (record.replay)
-      {
-        const bool goes_on = refinement.goes_on(by.file, difference_at_end(record));
-        if (!command.common.quiet)
-          say_text(refinement.last_round());
-        if (!goes_on)
-          break;
-        by = refine_model(by, {command.common.output / replay_snapshots_name}, command.common, refinement.n_done() + 1);
-        reach_with(command, by, record);
-      }
-      if (const std::string shortfall = refinement.shortfall(); !shortfall.empty())
-        record.warnings.push_back(shortfall);
-      record.refinement = refinement.rounds();
+      ModelUse use;
+      use.difference    = [&] { return record.replay ? std::optional(difference_at_end(record)) : std::nullopt; };
+      use.snapshots     = [&] { return std::vector{command.common.output / replay_snapshots_name}; };
+      use.again         = [&] { reach_with(command, by, record); };
+      record.refinement = refine_in_use(refinement, by, command.common, use, record.warnings);
     }
 
     void write(const TrackCommand &command, const TargetRecord &record)
