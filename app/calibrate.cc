@@ -244,6 +244,12 @@ namespace swimtwin
       return result;
     }
 
+    /// Whether no full-order run failed.
+    bool is_checked(const CalibrationResult &result)
+    {
+      return result.discrepancy.moved_estimate.size() > 0;
+    }
+
     /// Fits again with refined models.
     CalibrationResult refine_and_fit(const CalibrateCommand &command, const CalibrationInput &input,
                                      const InertiaTerms &carried, const Refinement &refinement,
@@ -251,7 +257,7 @@ namespace swimtwin
     {
       ModelUse use;
       use.difference = [&]() -> std::optional<double> {
-        if (result.discrepancy.checks.empty())
+        if (!is_checked(result))
           return {};
         return result.discrepancy.largest_difference();
       };
@@ -261,7 +267,14 @@ namespace swimtwin
           files.push_back(check_folder(command, static_cast<int>(i) + 1) / "snapshots.h5");
         return files;
       };
-      use.again = [&] { result = fit(command, input, carried, by); };
+      use.again = [&](const RefinedModel &refined) {
+        if (carried.any() && !refined.model.inertia.is_given())
+          throw ComputationError("its inertia was not borne out by its held-out runs");
+        CalibrationResult next = fit(command, input, carried, refined);
+        if (!is_checked(next))
+          throw ComputationError(next.discrepancy.verdict);
+        result = std::move(next);
+      };
       std::vector<std::string> warnings;
       const auto               rounds = refine_in_use(refinement, by, command.common, use, warnings);
       result.warnings.insert(result.warnings.end(), warnings.begin(), warnings.end());

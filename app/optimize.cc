@@ -229,8 +229,12 @@ namespace swimtwin
       ModelUse use;
       use.difference = [&] { return plan.replay ? std::optional(plan.replay->largest_difference()) : std::nullopt; };
       use.snapshots  = [&] { return replayed_snapshots(plan, command.common.output); };
-      use.again      = [&] {
-        plan = plan_and_replay(command, {by.model, input.scene, input.file, input.warnings, input.refinement}, by.file);
+      use.again      = [&](const RefinedModel &refined) {
+        PlanResult next = plan_and_replay(
+                 command, {refined.model, input.scene, input.file, input.warnings, input.refinement}, refined.file);
+        if (!next.replay)
+          throw ComputationError(fmt::format("its plan is {}: {}", next.status, next.message));
+        plan = std::move(next);
       };
       std::vector<std::string> warnings;
       const auto               rounds = refine_in_use(input.refinement, by, command.common, use, warnings);

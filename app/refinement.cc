@@ -1,7 +1,9 @@
 #include <app/refinement.h>
 
 #include <app/value_list.h>
+#include <datasets/reduced/held_out_error.h>
 #include <datasets/system/console.h>
+#include <datasets/system/error.h>
 
 #include <fmt/format.h>
 
@@ -25,7 +27,7 @@ namespace swimtwin
   bool Refinement::goes_on(const std::filesystem::path &model_file, const double difference)
   {
     rounds_.push_back({model_file.string(), difference});
-    return difference > target_ && n_done() < n_rounds_;
+    return !(difference <= target_) && n_done() < n_rounds_;
   }
 
   std::string Refinement::last_round() const
@@ -39,8 +41,9 @@ namespace swimtwin
     if (rounds_.empty() || rounds_.back().difference <= target_)
       return "";
     return fmt::format("after {} of {} refinements the models differ by {:.2g} % at the result, more than "
-                       "--refine-target {:.3g} %; a larger --refine goes on",
-                       n_done(), n_rounds_, 100. * rounds_.back().difference, 100. * target_);
+                       "--refine-target {:.3g} %; --refine from {} goes on",
+                       n_done(), n_rounds_, 100. * rounds_.back().difference, 100. * target_,
+                       rounds_.back().model_file);
   }
 
   std::vector<RefinementRound> refine_in_use(Refinement refinement, RefinedModel &by, const CommonOptions &common,
@@ -53,10 +56,25 @@ namespace swimtwin
         say_text(refinement.last_round());
       if (!goes_on)
         break;
-      by = refine_model(by, use.snapshots(), common, refinement.n_done() + 1);
-      use.again();
+      const int round = refinement.n_done() + 1;
+      try
+      {
+        RefinedModel refined = refine_model(by, use.snapshots(), common, round);
+        use.again(refined);
+        by = std::move(refined);
+      }
+      catch (const ComputationError &error)
+      {
+        warnings.push_back(fmt::format("refinement {} failed, and the result is that of {}: {}", round,
+                                       by.file.string(), error.what()));
+        return refinement.rounds();
+      }
+      if (const std::string missed = missed_target(by.model.record); !missed.empty())
+        warnings.push_back(fmt::format("{}: {}", by.file.string(), missed));
     }
-    if (const std::string shortfall = refinement.shortfall(); !shortfall.empty())
+    if (refinement.rounds().empty())
+      warnings.push_back("nothing was refined: the result has no full-order run to compare it with");
+    else if (const std::string shortfall = refinement.shortfall(); !shortfall.empty())
       warnings.push_back(shortfall);
     return refinement.rounds();
   }

@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -34,7 +35,7 @@ namespace swimtwin
     /// Note how far both models differ at the result of this one. Returns whether to refine it once more.
     bool goes_on(const std::filesystem::path &model_file, double difference);
 
-    int                                 n_done() const { return static_cast<int>(rounds_.size()) - 1; }
+    int                                 n_done() const { return std::max(0, static_cast<int>(rounds_.size()) - 1); }
     const std::vector<RefinementRound> &rounds() const { return rounds_; }
     std::string                         last_round() const; ///< a line for the terminal
     /// A warning; empty if the models agree.
@@ -51,11 +52,13 @@ namespace swimtwin
   {
     std::function<std::optional<double>()>              difference; ///< of both models at the result; empty without one
     std::function<std::vector<std::filesystem::path>()> snapshots;  ///< of the full-order runs of the result
-    std::function<void()>                               again;      ///< another result, with the refined model
+    /// Another result with this model takes the result's place. Throws ComputationError, and the result stays, where
+    /// the other one cannot be had or compared.
+    std::function<void(const RefinedModel &)> again;
   };
 
-  /// Refine the model until both models agree or the rounds are over. Returns the rounds; a difference that is left
-  /// becomes a warning. Collective.
+  /// Refine the model until both models agree or the rounds are over. Returns the rounds; what went wrong and a
+  /// difference that is left become warnings. Collective.
   std::vector<RefinementRound> refine_in_use(Refinement refinement, RefinedModel &by, const CommonOptions &common,
                                              const ModelUse &use, std::vector<std::string> &warnings);
 } // namespace swimtwin

@@ -56,6 +56,7 @@ namespace swimtwin
                                       record.goal.target_m, record.goal.options);
       record.model_file = by.file.string();
       record.warnings.clear();
+      record.swim.clear();
       record.replay.reset();
       if (!record.way.found())
         return;
@@ -76,9 +77,15 @@ namespace swimtwin
                           TargetRecord &record)
     {
       ModelUse use;
-      use.difference    = [&] { return record.replay ? std::optional(difference_at_end(record)) : std::nullopt; };
-      use.snapshots     = [&] { return std::vector{command.common.output / replay_snapshots_name}; };
-      use.again         = [&] { reach_with(command, by, record); };
+      use.difference = [&] { return record.replay ? std::optional(difference_at_end(record)) : std::nullopt; };
+      use.snapshots  = [&] { return std::vector{command.common.output / replay_snapshots_name}; };
+      use.again      = [&](const RefinedModel &refined) {
+        TargetRecord next = record;
+        reach_with(command, refined, next);
+        if (!next.replay)
+          throw ComputationError(next.message());
+        record = std::move(next);
+      };
       record.refinement = refine_in_use(refinement, by, command.common, use, record.warnings);
     }
 

@@ -130,23 +130,31 @@ namespace swimtwin
         plant->write_snapshots(command.common.output / replay_snapshots_name);
     }
 
-    /// Of both models' mean positions at the end, relative to the way between start and end.
-    double difference_at_end(const TrackRecord &record)
+    /// Of both models' mean positions at the end, relative to the way along the path; empty where one of them failed.
+    std::optional<double> difference_at_end(const TrackRecord &record)
     {
-      const auto &planned = record.result.instants, &replayed = record.replay->instants;
-      const auto  n = std::min(planned.size(), replayed.size());
-      if (n == 0)
-        throw ComputationError("the replay of the path ended before it began: there is nothing to refine the model by");
-      return (planned[n - 1].mean_m - replayed[n - 1].mean_m).norm() / (planned[n - 1].arc_m - planned.front().arc_m);
+      if (!record.replay || record.result.status == TrackStatus::failed ||
+          record.replay->status == TrackStatus::failed || record.result.instants.empty() ||
+          record.replay->instants.empty())
+        return {};
+      const TrackedInstant &planned = record.result.instants.back(), &replayed = record.replay->instants.back();
+      const double          way_m = planned.arc_m - record.result.instants.front().arc_m;
+      return way_m > 0. ? std::optional((planned.mean_m - replayed.mean_m).norm() / way_m) : std::nullopt;
     }
 
     void refine_and_track(const TrackCommand &command, const Refinement &refinement, RefinedModel &by,
                           TrackRecord &record)
     {
       ModelUse use;
-      use.difference    = [&] { return record.replay ? std::optional(difference_at_end(record)) : std::nullopt; };
-      use.snapshots     = [&] { return std::vector{command.common.output / replay_snapshots_name}; };
-      use.again         = [&] { track_with(command, by, record); };
+      use.difference = [&] { return difference_at_end(record); };
+      use.snapshots  = [&] { return std::vector{command.common.output / replay_snapshots_name}; };
+      use.again      = [&](const RefinedModel &refined) {
+        TrackRecord next = record;
+        track_with(command, refined, next);
+        if (!difference_at_end(next))
+          throw ComputationError("the path could not be planned or swum with it");
+        record = std::move(next);
+      };
       record.refinement = refine_in_use(refinement, by, command.common, use, record.warnings);
     }
 

@@ -12,16 +12,16 @@ namespace swimtwin
     {
       return std::pair(!one.converged(), one.objective) < std::pair(!other.converged(), other.objective);
     }
-
-    int best_of(const std::vector<Minimum> &minima)
-    {
-      int best = -1;
-      for (int i = 0; i < static_cast<int>(minima.size()); ++i)
-        if (minima[i].is_feasible() && (best < 0 || is_better(minima[i], minima[best])))
-          best = i;
-      return best;
-    }
   } // namespace
+
+  int best_minimum(const std::vector<Minimum> &minima)
+  {
+    int best = -1;
+    for (int i = 0; i < static_cast<int>(minima.size()); ++i)
+      if (minima[i].is_feasible() && (best < 0 || is_better(minima[i], minima[best])))
+        best = i;
+    return best;
+  }
 
   Multistart search_from_all(const std::function<MinimizationProblem()> &make_problem, const Eigen::MatrixXd &starts,
                              const MultistartOptions &options)
@@ -40,7 +40,7 @@ namespace swimtwin
           options.on_progress(n_done);
       };
     });
-    result.best = best_of(result.minima);
+    result.best = best_minimum(result.minima);
     return result;
   }
 } // namespace swimtwin

@@ -21,6 +21,9 @@ namespace swimtwin
     std::function<void(int n_done)> on_progress = {}; ///< called by any of the threads, one at a time
   };
 
+  /// The lowest feasible one, converged before others; -1 if none is feasible.
+  int best_minimum(const std::vector<Minimum> &minima);
+
   /// One search per column of `starts`, for instance sobol_points. `make_problem` is called once per thread, by that
   /// thread.
   Multistart search_from_all(const std::function<MinimizationProblem()> &make_problem, const Eigen::MatrixXd &starts,

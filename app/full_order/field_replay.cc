@@ -14,6 +14,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 namespace swimtwin
 {
@@ -28,6 +29,7 @@ namespace swimtwin
                           fmt::format("head.magnetization_A_m={:.17g}", plan.magnetization_A_m),
                           fmt::format("tail.young_modulus_Pa={:.17g}", plan.young_modulus_Pa),
                           fmt::format("fluid.viscosity_Pa_s={:.17g}", plan.viscosity_Pa_s),
+                          "output.snapshots_per_period=30", // to refine the model with
                           "fluid.inertia=none", // as the reduced swimmer: the comparison is about everything else
                           fmt::format("time.periods={:.1f}", double(options.periods)),
                           fmt::format("time.steps_per_period={}", options.steps_per_period)});
@@ -63,6 +65,8 @@ namespace swimtwin
       run.initial_state        = state_at_rest(swimmer, replayed.start_angle_rad);
       replayed.reduced_displacement_m =
           displacement_per_period(SwimmerIntegrator(swimmer, {}).run(run), plan.heading_rad);
+      replayed.reduced_displacement_m.resize(static_cast<std::size_t>(options.periods), // not known if the run failed
+                                             std::numeric_limits<double>::quiet_NaN());
 
       scene = replay_scene(model, plan, file, 1. / drive.frequency_Hz, replayed.start_angle_rad, options);
       SimulationOptions simulation;

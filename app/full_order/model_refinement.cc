@@ -19,8 +19,24 @@ namespace swimtwin
     void bring_runs(const fs::path &from, const fs::path &to)
     {
       fs::create_directories(to);
-      if (fs::is_directory(from / "runs"))
-        fs::copy(from / "runs", to / "runs", fs::copy_options::recursive | fs::copy_options::skip_existing);
+      for (const char *runs : {"runs", "held-out-with-inertia"})
+        if (fs::is_directory(from / runs))
+          fs::copy(from / runs, to / runs, fs::copy_options::recursive | fs::copy_options::skip_existing);
+    }
+
+    fs::path shape_file(const fs::path &folder, const std::size_t i)
+    {
+      return folder / "shapes" / fmt::format("{}.h5", i + 1);
+    }
+
+    /// Those that a model was refined with before, and more.
+    std::vector<fs::path> all_shapes(const fs::path &folder_before, const std::vector<fs::path> &snapshots)
+    {
+      std::vector<fs::path> all;
+      while (fs::exists(shape_file(folder_before, all.size())))
+        all.push_back(shape_file(folder_before, all.size()));
+      all.insert(all.end(), snapshots.begin(), snapshots.end());
+      return all;
     }
 
     Scene scene_of(const ReducedModel &model)
@@ -35,25 +51,25 @@ namespace swimtwin
   RefinedModel refine_model(const RefinedModel &before, const std::vector<fs::path> &snapshots,
                             const CommonOptions &common, const int round)
   {
-    const fs::path folder = common.output / fmt::format("refined-{}", round);
-    RefinedModel   refined{{}, folder / "model.h5", before.shapes};
-    for (std::size_t i = 0; i < snapshots.size(); ++i)
-      refined.shapes.push_back(folder / "shapes" / fmt::format("{}.h5", i + 1));
+    const fs::path  folder        = common.output / fmt::format("refined-{}", round);
+    const fs::path  before_folder = before.file.parent_path();
+    TrainingOptions options       = options_to_refine(before.model);
+    const auto      shapes        = all_shapes(before_folder, snapshots);
+    for (std::size_t i = 0; i < shapes.size(); ++i)
+      options.snapshots.push_back(shape_file(folder, i));
     agree([&] {
-      bring_runs(before.file.parent_path(), folder);
+      bring_runs(before_folder, folder);
       fs::create_directories(folder / "shapes");
-      for (std::size_t i = 0; i < snapshots.size(); ++i)
-        fs::copy_file(snapshots[i], refined.shapes[before.shapes.size() + i], fs::copy_options::overwrite_existing);
+      for (std::size_t i = 0; i < shapes.size(); ++i)
+        fs::copy_file(shapes[i], options.snapshots[i], fs::copy_options::overwrite_existing);
     });
-    TrainingOptions options = options_to_refine(before.model);
-    options.folder          = folder;
-    options.command_line    = common.command_line;
-    options.snapshots       = refined.shapes;
+    options.folder       = folder;
+    options.command_line = common.command_line;
     StageBar bar(common.quiet || !is_speaker());
     options.on_progress = [&](const std::string &stage, const int done, const int total) {
       bar.show(stage, done, total);
     };
-    refined.model = train(scene_of(before.model), options, MPI_COMM_WORLD);
+    RefinedModel refined{train(scene_of(before.model), options, MPI_COMM_WORLD), folder / "model.h5"};
     agree([&] { write_text_atomically(folder / "model-card.txt", model_card(refined.model)); });
     return refined;
   }

@@ -9,16 +9,15 @@
 
 namespace swimtwin
 {
-  /// A model and where it lies, with the snapshots that it was refined with.
+  /// A model and where it lies.
   struct RefinedModel
   {
-    ReducedModel                       model;
-    std::filesystem::path              file;
-    std::vector<std::filesystem::path> shapes = {};
+    ReducedModel          model;
+    std::filesystem::path file;
   };
 
   /// The model trained again over its range with these snapshots.h5 as well, in `refined-ROUND` of the output folder.
-  /// Runs that its own training left beside its file are not made again. Collective. Throws InputError and
+  /// Runs and shapes of earlier refinements beside its file are taken along. Collective. Throws InputError and
   /// ComputationError.
   RefinedModel refine_model(const RefinedModel &before, const std::vector<std::filesystem::path> &snapshots,
                             const CommonOptions &common, int round);

@@ -113,6 +113,27 @@ namespace swimtwin
                                   search.n_runs);
     }
 
+    /// Beyond its edge the table is a guess: minima there are computed, and fail where they cannot be.
+    void compute_guesses(const FitInput &input, const SearchMisfit &misfit, BoundsSearch &search)
+    {
+      const std::shared_ptr<ExactDisplacements> exact   = exact_displacements(input, tolerance, input.n_threads);
+      const MinimizationProblem                 problem = misfit.minimization_problem(exact);
+      for (Minimum &minimum : search.minima)
+        if (minimum.is_feasible() && !search.table->covers(input.map.swimmer(minimum.x)))
+        {
+          Evaluation evaluation;
+          problem.evaluate(minimum.x, false, evaluation);
+          minimum.objective = evaluation.objective;
+          if (evaluation.failed())
+          {
+            minimum.status  = MinimumStatus::failed;
+            minimum.message = evaluation.failure;
+          }
+        }
+      search.best = best_minimum(search.minima);
+      search.n_runs += exact->n_runs();
+    }
+
     [[noreturn]] void refuse_all_starts(const FitInput &input, const Multistart &search)
     {
       throw InputError(
@@ -150,9 +171,16 @@ namespace swimtwin
     const Eigen::MatrixXd starts = starts_of(input, make_problem(), earlier.table != nullptr);
     const Multistart      search =
         search_from_all(make_problem, starts, {.search = search_options(input.problem), .n_threads = input.n_threads});
-    if (search.best < 0)
-      refuse_all_starts(input, search);
-    return {search, starts, earlier.table, earlier.n_runs};
+    BoundsSearch result{search, starts, earlier.table, earlier.n_runs};
+    if (earlier.table)
+    {
+      compute_guesses(input, misfit, result);
+      if (result.best < 0)
+        return search_again(input, error, {{}, {}, nullptr, result.n_runs});
+    }
+    if (result.best < 0)
+      refuse_all_starts(input, result);
+    return result;
   }
 
   bool are_same(const Eigen::VectorXd &a, const Eigen::VectorXd &b, const Eigen::VectorXd &width)

@@ -13,7 +13,7 @@ namespace swimtwin
   struct BoundsSearch : Multistart
   {
     Eigen::MatrixXd                    starts; ///< p x n, scaled
-    std::shared_ptr<DisplacementTable> table;  ///< of all bounds; null if a node of it cannot be computed
+    std::shared_ptr<DisplacementTable> table;  ///< of the bounds, as far as they can be computed; or null
     long                               n_runs = 0;
   };
 

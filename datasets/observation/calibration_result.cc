@@ -244,9 +244,13 @@ namespace swimtwin
 
   double ModelDiscrepancy::largest_difference() const
   {
-    double largest = 0.;
+    constexpr double smallest_scale = .05; // of the largest: near its zeros a displacement is no measure of itself
+    double           scale = 0., largest = 0.;
     for (const FullOrderCheck &check : checks)
-      largest = std::max(largest, std::abs(check.reduced / check.full_order - 1.));
+      scale = std::max(scale, std::abs(check.full_order));
+    for (const FullOrderCheck &check : checks)
+      largest = std::max(largest, std::abs(check.reduced - check.full_order) /
+                                      std::max(std::abs(check.full_order), smallest_scale * scale));
     return largest;
   }
 

@@ -137,7 +137,7 @@ namespace swimtwin
     double                      largest_move = 0.; ///< over half the parameter's interval
     std::string                 verdict;           ///< one sentence
 
-    /// Of both models in the checks, relative to the full-order one.
+    /// Of both models in the checks, relative to the full-order one, at least 5 % of the largest.
     double largest_difference() const;
   };
 

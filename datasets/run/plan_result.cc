@@ -119,7 +119,12 @@ namespace swimtwin
   {
     double largest = 0.;
     for (const ReplayedField &field : fields)
-      largest = std::max(largest, std::abs(field.reduced_displacement_m.back() / field.displacement_m.back() - 1.));
+    {
+      const double difference = std::abs(field.reduced_displacement_m.back() / field.displacement_m.back() - 1.);
+      if (std::isnan(difference))
+        return difference;
+      largest = std::max(largest, difference);
+    }
     return largest;
   }
 

@@ -38,12 +38,21 @@ namespace swimtwin
       return finest;
     }
 
-    /// Whether it was tried in vain since something helped.
-    bool has_failed(const std::vector<Attempt> &attempts, const Remedy remedy)
+    /// Whether samples were added in vain since something helped.
+    bool samples_have_failed(const std::vector<Attempt> &attempts)
     {
       for (std::size_t k = attempts.size(); k-- > 1 && !helped(attempts, k);)
-        if (attempts[k].remedy == remedy)
+        if (attempts[k].remedy == Remedy::more_samples)
           return true;
+      return false;
+    }
+
+    /// Once more it would be made from the same samples, whatever was added to the others since.
+    bool last_mode_failed(const std::vector<Attempt> &attempts)
+    {
+      for (std::size_t k = attempts.size(); k-- > 1;)
+        if (attempts[k].remedy == Remedy::another_mode)
+          return !helped(attempts, k);
       return false;
     }
   } // namespace
@@ -64,8 +73,8 @@ namespace swimtwin
   std::optional<Remedy> next_remedy(const std::vector<Attempt> &attempts)
   {
     // A finer fit costs nothing, so that its failure says little: samples may still be what is missing.
-    const bool samples_failed = has_failed(attempts, Remedy::more_samples);
-    const bool mode_failed    = has_failed(attempts, Remedy::another_mode);
+    const bool samples_failed = samples_have_failed(attempts);
+    const bool mode_failed    = last_mode_failed(attempts);
     if (samples_failed && mode_failed)
       return {};
     const bool is_of_fit = attempts.back().fit_share >= .5 * attempts.back().error;

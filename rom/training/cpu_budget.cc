@@ -9,14 +9,20 @@
 namespace swimtwin
 {
   CpuBudget::CpuBudget(const double limit_s, const MPI_Comm communicator)
-      : limit_s_(limit_s), communicator_(communicator)
+      : communicator_(communicator), limit_s_(limit_s), start_s_(of_all_ranks_s())
   {
+  }
+
+  double CpuBudget::of_all_ranks_s() const
+  {
+    double now_s = process_cpu_time_s();
+    MPI_Allreduce(MPI_IN_PLACE, &now_s, 1, MPI_DOUBLE, MPI_SUM, communicator_);
+    return now_s;
   }
 
   void CpuBudget::book(const std::string &purpose)
   {
-    double now_s = process_cpu_time_s();
-    MPI_Allreduce(MPI_IN_PLACE, &now_s, 1, MPI_DOUBLE, MPI_SUM, communicator_);
+    const double now_s = of_all_ranks_s() - start_s_;
     auto entry = std::find_if(entries_.begin(), entries_.end(), [&](const auto &e) { return e.first == purpose; });
     if (entry == entries_.end())
       entry = entries_.insert(entries_.end(), {purpose, 0.});

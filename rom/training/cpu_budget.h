@@ -9,11 +9,11 @@
 
 namespace swimtwin
 {
-  /// Of all ranks together, since the start of their processes: all ranks see the same numbers, so that they decide
-  /// alike.
+  /// Of all ranks together, since this was made: all ranks see the same numbers, so that they decide alike.
   class CpuBudget
   {
   public:
+    /// Collective.
     CpuBudget(double limit_s, MPI_Comm communicator);
 
     /// What was used since the last booking, or the start, was used for this. Collective.
@@ -27,8 +27,10 @@ namespace swimtwin
     std::string text() const;
 
   private:
-    double                                      limit_s_, spent_s_ = 0.;
+    double of_all_ranks_s() const;
+
     MPI_Comm                                    communicator_;
+    double                                      limit_s_, start_s_, spent_s_ = 0.;
     std::vector<std::pair<std::string, double>> entries_; ///< in the order of their first booking
   };
 } // namespace swimtwin

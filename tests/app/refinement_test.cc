@@ -23,7 +23,7 @@ namespace swimtwin
     EXPECT_FALSE(refinement.goes_on("refined-1/model.h5", 0.013));
     EXPECT_EQ(refinement.last_round(), "  refined-1/model.h5: 1.3 % off the full-order model at its own result\n");
     EXPECT_EQ(refinement.shortfall(), "after 1 of 1 refinements the models differ by 1.3 % at the result, more than "
-                                      "--refine-target 0.5 %; a larger --refine goes on");
+                                      "--refine-target 0.5 %; --refine from refined-1/model.h5 goes on");
   }
 
   TEST(Refinement, RefusesATargetThatIsNoShare)

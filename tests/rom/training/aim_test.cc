@@ -50,7 +50,9 @@ namespace swimtwin
     EXPECT_EQ(next_remedy(attempts), Remedy::finer_fit); // of the modes before: the fifth was taken back
     attempts.push_back({Remedy::finer_fit, .017, .003});
     EXPECT_EQ(next_remedy(attempts), Remedy::more_samples);
-    attempts.push_back({Remedy::more_samples, .017, .003});
+    attempts.push_back({Remedy::more_samples, .014, .003});
+    EXPECT_EQ(next_remedy(attempts), Remedy::more_samples); // which help; the mode would be the same one
+    attempts.push_back({Remedy::more_samples, .0139, .003});
     EXPECT_FALSE(next_remedy(attempts));
   }
 
