@@ -76,7 +76,8 @@ namespace swimtwin
     double                     wall_time_s = 0.;
 
     double gain() const { return fields.at(1).mean_speed_m_s / fields.at(0).mean_speed_m_s; }
-    /// Of the last period's displacements on both models, relative; the larger of both fields. NaN where one is not known.
+    /// Of the last period's displacements on both models, relative; the larger of both fields. NaN where one is not
+    /// known.
     double largest_difference() const;
   };
 
