@@ -8,10 +8,16 @@
 
 namespace swimtwin
 {
+  namespace
+  {
+    constexpr const char *budget_is_spent = "the budget of periods is spent";
+  }
+
   FieldFound search_field(const FieldTask &task, const FieldVariables &variables, const FieldStart &start,
                           const FieldSearchOptions &options)
   {
     StrokeProblem strokes(task.model, task.swimmer, task.goal, variables, options.stroke);
+    const auto    is_spent = [&] { return options.max_periods > 0 && strokes.n_periods() >= options.max_periods; };
     strokes.restart_from(start.state);
     CostRecord          record(options.search.feasibility_tolerance);
     SwimmerState        best_start = start.state;
@@ -20,9 +26,9 @@ namespace swimtwin
     problem.constraint_scale       = Eigen::VectorXd::Ones(problem.n_constraints); // all are relative to their limits
     problem.constraint_names       = strokes.constraint_names();
     problem.evaluate               = [&](const Eigen::VectorXd &x, const bool derivatives, Evaluation &evaluation) {
-      if (options.max_periods > 0 && strokes.n_periods() >= options.max_periods)
+      if (is_spent())
       {
-        evaluation.failure = "the budget of periods is spent";
+        evaluation.failure = budget_is_spent;
         return;
       }
       strokes.evaluate(x, derivatives, task.sizes, evaluation);
@@ -35,7 +41,12 @@ namespace swimtwin
         strokes.restart_from(best_start);
     };
     FieldFound found;
-    found.minimum   = search_minimum(problem, variables.variables(start.drive), options.search);
+    found.minimum = search_minimum(problem, variables.variables(start.drive), options.search);
+    if (is_spent() && found.minimum.status == MinimumStatus::stalled) // it met the end of its budget as a failure
+    {
+      found.minimum.status  = MinimumStatus::budget_exhausted;
+      found.minimum.message = budget_is_spent;
+    }
     found.n_periods = strokes.n_periods();
     found.trace     = record.trace();
     found.start     = start.state;

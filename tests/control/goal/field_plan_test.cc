@@ -79,6 +79,16 @@ namespace swimtwin
     EXPECT_NE(result.message.find("heading held: Floquet multiplier"), std::string::npos) << result.message;
   }
 
+  TEST_F(Plans, SayThatTheSearchWithoutGradientsHasSpentItsPeriods)
+  {
+    options.gradient_free_budget          = 0.5;
+    options.search.search.max_evaluations = 10;
+    const PlanResult    result            = plan();
+    const PlannedField &without           = *result.find(gradient_free_field_name);
+    EXPECT_EQ(without.status, "budget exhausted") << without.message;
+    EXPECT_EQ(without.message, "the budget of periods is spent");
+  }
+
   TEST_F(Plans, NameTheTrustedRegionThatNoFieldKeepsTo)
   {
     goal.motion.shape_radius              = 1e-6;
