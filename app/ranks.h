@@ -23,6 +23,9 @@ namespace swimtwin
   /// ComputationError. Collective.
   void agree(const std::function<void()> &on_speaker);
 
+  /// Rank 0's value, for a decision that all must take alike. Collective.
+  double of_speaker(double value);
+
   /// End the others, which may wait for this rank for ever; returns if there are none.
   void end_all_ranks(int exit_code);
 } // namespace swimtwin

@@ -19,6 +19,11 @@ namespace swimtwin
       on_speaker();
   }
 
+  double of_speaker(const double value)
+  {
+    return value;
+  }
+
   Ending end_together(const int own_exit_code)
   {
     // All ranks read the same input and find the same mistake: rank 0 speaks, and when it ends mpirun ends the others.

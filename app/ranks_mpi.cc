@@ -86,6 +86,12 @@ namespace swimtwin
       throw ComputationError(failure.message);
   }
 
+  double of_speaker(double value)
+  {
+    MPI_Bcast(&value, 1, MPI_DOUBLE, 0, MPI_COMM_WORLD);
+    return value;
+  }
+
   Ending end_together(const int own_exit_code)
   {
     using Clock = std::chrono::steady_clock;

@@ -51,7 +51,7 @@ namespace swimtwin
   {
     for (std::optional<double> difference; (difference = use.difference());)
     {
-      const bool goes_on = refinement.goes_on(by.file, *difference);
+      const bool goes_on = refinement.goes_on(by.file, of_speaker(*difference));
       if (is_speaker() && !common.quiet)
         say_text(refinement.last_round());
       if (!goes_on)

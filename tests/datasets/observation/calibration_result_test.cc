@@ -1,5 +1,6 @@
 #include <datasets/observation/calibration_result.h>
 
+#include <datasets/files/json_entries.h>
 #include <datasets/system/error.h>
 #include <tests/datasets/temporary_folder.h>
 
@@ -54,6 +55,25 @@ namespace swimtwin
     EXPECT_EQ(read.free_names(), std::vector<std::string>{"young_modulus_Pa"});
     EXPECT_EQ(read.find("viscosity_Pa_s"), nullptr);
     EXPECT_TRUE(read.converged());
+  }
+
+  TEST(CalibrationResult, OfAnEarlierVersionWasNotRefined)
+  {
+    const TemporaryFolder folder;
+    write_calibration_result(folder.path / "calibration.json", example_result());
+    Json json = read_json_file(folder.path / "calibration.json", "the result", "");
+    json.erase("refinement");
+    write_json_file(folder.path / "calibration.json", json);
+    EXPECT_TRUE(read_calibration_result(folder.path / "calibration.json").refinement.empty());
+  }
+
+  TEST(CalibrationResult, MeasuresBothModelsByWhatIsNotNearAZero)
+  {
+    ModelDiscrepancy discrepancy;
+    discrepancy.checks = {{"a", 1., 1.01e-4, 1e-4}, {"a", 2., 3e-7, 1e-7}};
+    EXPECT_NEAR(discrepancy.largest_difference(), 2e-7 / 5e-6, 1e-12);
+    discrepancy.checks.pop_back();
+    EXPECT_NEAR(discrepancy.largest_difference(), .01, 1e-12);
   }
 
   TEST(CalibrationResult, RefusesWhatIsNotOne)

@@ -67,6 +67,8 @@ namespace swimtwin
   {
     const PlanReplay replay{100, {{"a", 0., {3., 1.}, {1., 1.01}, 1.}, {"b", 0., {9., 2.}, {1., 1.9}, 2.}}, 1.};
     EXPECT_NEAR(replay.largest_difference(), 0.05, 1e-12); // of last periods
+    const PlanReplay broken{100, {{"a", 0., {1.}, {NAN}, 1.}, {"b", 0., {1.}, {1.}, 2.}}, 1.};
+    EXPECT_TRUE(std::isnan(broken.largest_difference())); // no agreement
   }
 
   TEST(PlanResult, SaysWhetherTheFullOrderModelAgrees)
