@@ -318,7 +318,10 @@ namespace swimtwin
     const CalibrationInput input = read_calibration_input(command);
     require_borne_model_error(input.model, command.model, command.accepts_model_error);
     if (n_checks_of(command) > 0)
+    {
+      require_repeatable(input.sets);
       require_full_order_model(command.n_checks > 0 ? "--verify" : "--refine", RanksAtWork::this_one);
+    }
     std::vector<std::filesystem::path> files{find_model(command.model), command.problem};
     for (const ObservationSet &set : input.sets)
       files.insert(files.end(), {set.file, set.field.file});

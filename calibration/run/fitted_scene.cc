@@ -125,16 +125,22 @@ namespace swimtwin
     return parse_scene(text, folder / fitted_scene_name, overrides);
   }
 
+  void require_repeatable(const std::vector<ObservationSet> &sets)
+  {
+    for (const ObservationSet &set : sets)
+      if (!is_sinusoidal(set.field) || !set.period)
+        throw InputError(fmt::format("{} is {}, which the full-order runs of --verify and --refine do not repeat; they "
+                                     "take a numbered period in a sinusoidal field: leave them out.",
+                                     set.file.string(), set.period ? "in a sampled field" : "of the periodic state"));
+  }
+
   Scene scene_of_observation(const ReducedModel &model, const CalibratedSwimmer &swimmer, const InertiaTerms &carried,
                              const FieldProgram &field, const std::optional<int> period)
   {
-    if (!is_sinusoidal(field) || !period)
-      throw InputError("--verify and --refine repeat observations of a numbered period in a sinusoidal field; leave "
-                       "them out for other data.");
     Overrides overrides = physics(swimmer);
     set_field(overrides, field, swimmer.field_scale);
     set(overrides, "field.frequency_Hz", 1. / field.period_s());
-    overrides.push_back(fmt::format("time.periods={}", *period));
+    overrides.push_back(fmt::format("time.periods={}", period.value()));
     overrides.push_back("output.snapshots_per_period=30"); // to refine the model with
     overrides.push_back(inertia(carried)); // like the reduced swimmer, whose other errors are looked for
     return parse_scene(model.scene_text, model.scene_name + ".toml", overrides);

@@ -6,6 +6,8 @@
 #include <datasets/reduced/reduced_model.h>
 #include <datasets/scene/scene.h>
 
+#include <vector>
+
 namespace swimtwin
 {
   inline constexpr const char *fitted_scene_name = "fitted-scene.toml", *fitted_field_name = "fitted-field.csv",
@@ -19,9 +21,12 @@ namespace swimtwin
   Scene fitted_scene(const ReducedModel &model, const CalibratedSwimmer &swimmer, const InertiaTerms &carried,
                      const ObservationSet &set, const std::filesystem::path &folder);
 
+  /// Throws InputError, with the file, for data that full-order runs of one observation cannot repeat: in another field
+  /// than a sinusoid, or of the periodic state.
+  void require_repeatable(const std::vector<ObservationSet> &sets);
+
   /// The same lengths as the model's scene, one observation's frequency and period, the inertia that the fit carried:
-  /// what the full-order model is to check. Throws InputError for a data set without a sinusoidal field or of the
-  /// periodic state.
+  /// what the full-order model is to check. Of repeatable data alone.
   Scene scene_of_observation(const ReducedModel &model, const CalibratedSwimmer &swimmer, const InertiaTerms &carried,
                              const FieldProgram &field, std::optional<int> period);
 } // namespace swimtwin

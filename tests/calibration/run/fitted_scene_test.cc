@@ -85,6 +85,18 @@ namespace swimtwin
     EXPECT_TRUE(names_of(inertia_terms(scene_of_observation(model, swimmer, {}, field, 3))).empty());
   }
 
+  TEST_F(FittedScene, KnowsWhatFullOrderRunsCanRepeat)
+  {
+    data.field = FieldProgram::sinusoidal(5e-3, 5e-3, 0.5);
+    EXPECT_NO_THROW(require_repeatable({data}));
+    data.period.reset();
+    EXPECT_THROW(require_repeatable({data}), InputError);
+    data.period = 3;
+    data.field  = FieldProgram::sampled({0., 0.5, 1., 1.5},
+                                        {{1e-3, 0., 0.}, {0., 1e-3, 0.}, {-1e-3, 0., 0.}, {0., -1e-3, 0.}}, 2.);
+    EXPECT_THROW(require_repeatable({data}), InputError);
+  }
+
   TEST_F(FittedScene, ScalesEveryLength)
   {
     data.field             = own.field;
