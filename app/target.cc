@@ -42,8 +42,8 @@ namespace swimtwin
     {
       // As the reduced swimmer plans, without inertia: a replay is about everything else.
       const Scene scene = parse_scene(model.scene_text, model.scene_name + ".toml", {"fluid.inertia=none"});
-      const auto  plant =
-          make_full_order_plant(scene, {record.goal.steps_per_second, record.way.plan.carrier.frequency_Hz});
+      const auto  plant = make_full_order_plant(
+           scene, {record.goal.steps_per_second, record.way.plan.carrier.frequency_Hz, command.refine.is_asked_for()});
       record.replay = swim_to_target(*plant, record.way.plan, record.way.n_periods, record.goal.target_m);
       if (command.refine.is_asked_for())
         plant->write_snapshots(command.common.output / replay_snapshots_name);

@@ -36,18 +36,19 @@ namespace swimtwin
                                      goal.steps_per_second, goal.options.decisions_per_second));
     }
 
-    std::unique_ptr<FullOrderPlant> full_order_plant(const ReducedModel &model, const TrackingGoal &goal)
+    std::unique_ptr<FullOrderPlant> full_order_plant(const ReducedModel &model, const TrackingGoal &goal,
+                                                     const bool remembers_shapes)
     {
       require_whole_steps(goal);
       return make_full_order_plant(parse_scene(model.scene_text, model.scene_name + ".toml", {"fluid.inertia=none"}),
-                                   {goal.steps_per_second, goal.carrier.frequency_Hz});
+                                   {goal.steps_per_second, goal.carrier.frequency_Hz, remembers_shapes});
     }
 
     std::unique_ptr<Plant> make_plant(const ReducedModel &model, const ReducedSwimmer &swimmer,
                                       const TrackingGoal &goal)
     {
       if (goal.plant == PlantKind::full_order)
-        return full_order_plant(model, goal);
+        return full_order_plant(model, goal, false);
       return std::make_unique<ReducedPlant>(swimmer, goal.true_parameters, state_at_rest(swimmer));
     }
 
@@ -124,7 +125,7 @@ namespace swimtwin
       record.replay.reset();
       if (record.goal.kind != TrackingKind::path || !command.has_replay())
         return;
-      const auto plant = full_order_plant(by.model, record.goal);
+      const auto plant = full_order_plant(by.model, record.goal, command.refine.is_asked_for());
       record.replay    = play_plan(swimmer, record.goal.believed, record.result, *plant, record.goal.options);
       if (command.refine.is_asked_for())
         plant->write_snapshots(command.common.output / replay_snapshots_name);

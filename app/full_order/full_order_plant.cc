@@ -31,7 +31,7 @@ namespace swimtwin
       {
         swimmer_.advance(to / options_.frequency_Hz,
                          [&](const double time_s) { return plan.field_T(time_s * options_.frequency_Hz); });
-        if (to < next_note_periods_)
+        if (!options_.remembers_shapes || to < next_note_periods_)
           return;
         recorder_.note(swimmer_.model(), 0);
         next_note_periods_ = to + 0.999 / shapes_per_period;

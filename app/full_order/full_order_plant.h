@@ -13,9 +13,10 @@ namespace swimtwin
   {
     double steps_per_second = 40.;
     double frequency_Hz     = 0.; ///< of the plan's carrier
+    bool   remembers_shapes = false;
   };
 
-  /// Remembers the tail's shapes, some thirty per carrier period at most.
+  /// If it is to remember the tail's shapes, some thirty per carrier period at most.
   class FullOrderPlant : public Plant
   {
   public:
