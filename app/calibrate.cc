@@ -275,10 +275,8 @@ namespace swimtwin
           throw ComputationError(next.discrepancy.verdict);
         result = std::move(next);
       };
-      std::vector<std::string> warnings;
-      const auto               rounds = refine_in_use(refinement, by, command.common, use, warnings);
-      result.warnings.insert(result.warnings.end(), warnings.begin(), warnings.end());
-      result.refinement = rounds;
+      const RefinementReport report = refine_in_use(refinement, by, command.common, use);
+      report.add_to(result); // to the last one
       return result;
     }
 

@@ -236,10 +236,8 @@ namespace swimtwin
           throw ComputationError(fmt::format("its plan is {}: {}", next.status, next.message));
         plan = std::move(next);
       };
-      std::vector<std::string> warnings;
-      const auto               rounds = refine_in_use(input.refinement, by, command.common, use, warnings);
-      plan.warnings.insert(plan.warnings.end(), warnings.begin(), warnings.end());
-      plan.refinement = rounds;
+      const RefinementReport report = refine_in_use(input.refinement, by, command.common, use);
+      report.add_to(plan); // to the last one
       return plan;
     }
 

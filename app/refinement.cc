@@ -46,9 +46,10 @@ namespace swimtwin
                        rounds_.back().model_file);
   }
 
-  std::vector<RefinementRound> refine_in_use(Refinement refinement, RefinedModel &by, const CommonOptions &common,
-                                             const ModelUse &use, std::vector<std::string> &warnings)
+  RefinementReport refine_in_use(Refinement refinement, RefinedModel &by, const CommonOptions &common,
+                                 const ModelUse &use)
   {
+    std::vector<std::string> warnings;
     for (std::optional<double> difference; (difference = use.difference());)
     {
       const bool goes_on = refinement.goes_on(by.file, of_speaker(*difference));
@@ -67,7 +68,7 @@ namespace swimtwin
       {
         warnings.push_back(fmt::format("refinement {} failed, and the result is that of {}: {}", round,
                                        by.file.string(), error.what()));
-        return refinement.rounds();
+        return {refinement.rounds(), warnings};
       }
       if (const std::string missed = missed_target(by.model.record); !missed.empty())
         warnings.push_back(fmt::format("{}: {}", by.file.string(), missed));
@@ -76,6 +77,6 @@ namespace swimtwin
       warnings.push_back("nothing was refined: the result has no full-order run to compare it with");
     else if (const std::string shortfall = refinement.shortfall(); !shortfall.empty())
       warnings.push_back(shortfall);
-    return refinement.rounds();
+    return {refinement.rounds(), warnings};
   }
 } // namespace swimtwin

@@ -57,8 +57,21 @@ namespace swimtwin
     std::function<void(const RefinedModel &)> again;
   };
 
-  /// Refine the model until both models agree or the rounds are over. Returns the rounds; what went wrong and a
-  /// difference that is left become warnings. Collective.
-  std::vector<RefinementRound> refine_in_use(Refinement refinement, RefinedModel &by, const CommonOptions &common,
-                                             const ModelUse &use, std::vector<std::string> &warnings);
+  struct RefinementReport
+  {
+    std::vector<RefinementRound> rounds;
+    std::vector<std::string>     warnings; ///< what went wrong, a difference that is left
+
+    /// To a result of any verb.
+    template <typename Result>
+    void add_to(Result &result) const
+    {
+      result.refinement = rounds;
+      result.warnings.insert(result.warnings.end(), warnings.begin(), warnings.end());
+    }
+  };
+
+  /// Refine the model until both models agree or the rounds are over. Collective.
+  RefinementReport refine_in_use(Refinement refinement, RefinedModel &by, const CommonOptions &common,
+                                 const ModelUse &use);
 } // namespace swimtwin

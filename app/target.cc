@@ -86,7 +86,8 @@ namespace swimtwin
           throw ComputationError(next.message());
         record = std::move(next);
       };
-      record.refinement = refine_in_use(refinement, by, command.common, use, record.warnings);
+      const RefinementReport report = refine_in_use(refinement, by, command.common, use);
+      report.add_to(record); // to the last one
     }
 
     void write(const TrackCommand &command, const TargetRecord &record)

@@ -156,7 +156,8 @@ namespace swimtwin
           throw ComputationError("the path could not be planned or swum with it");
         record = std::move(next);
       };
-      record.refinement = refine_in_use(refinement, by, command.common, use, record.warnings);
+      const RefinementReport report = refine_in_use(refinement, by, command.common, use);
+      report.add_to(record); // to the last one
     }
 
     void track_in_folder(const TrackCommand &command, const Refinement &refinement, RefinedModel by,

@@ -1,4 +1,4 @@
-// Rounds of a refinement, for the pages of all verbs that refine their model.
+// Rounds of a refinement, for the pages of plans and fits.
 #pragma once
 
 #include <datasets/run/refinement.h>

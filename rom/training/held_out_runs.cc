@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 namespace swimtwin
 {
@@ -55,26 +56,6 @@ namespace swimtwin
         .front();
   }
 
-  std::vector<HeldOutRun> compare_with_full_order(const ReducedModel &model, const Scene &scene,
-                                                  const std::vector<RunParameters> &members,
-                                                  const TrainingRunOptions &options, const MPI_Comm communicator)
-  {
-    const int               steps = std::max(100, scene.time.steps_per_period);
-    const auto              fine  = full_order_displacements(scene, members, options, steps, communicator);
-    const auto              half  = full_order_displacements(scene, members, options, steps / 2, communicator);
-    std::vector<HeldOutRun> runs;
-    for (std::size_t k = 0; k < members.size(); ++k)
-    {
-      const auto       &p         = members[k];
-      const SweepResult predicted = predict(model, scene, p);
-      runs.push_back({p.young_modulus_Pa, p.viscosity_Pa_s, p.magnetization_A_m, p.frequency_Hz, p.bx_T, p.by_T,
-                      fine[k],
-                      std::abs(fine[k] - half[k]) / 3., // second order in the step
-                      predicted.displacement_m, predicted.error_indicator_m, predicted.fit_change_m});
-    }
-    return runs;
-  }
-
   std::vector<HeldOutRun> compare_with_known(const ReducedModel &model, const Scene &scene,
                                              std::vector<HeldOutRun> runs)
   {
@@ -88,6 +69,23 @@ namespace swimtwin
       run.fit_change_m           = predicted.fit_change_m;
     }
     return runs;
+  }
+
+  std::vector<HeldOutRun> compare_with_full_order(const ReducedModel &model, const Scene &scene,
+                                                  const std::vector<RunParameters> &members,
+                                                  const TrainingRunOptions &options, const MPI_Comm communicator)
+  {
+    const int               steps = std::max(100, scene.time.steps_per_period);
+    const auto              fine  = full_order_displacements(scene, members, options, steps, communicator);
+    const auto              half  = full_order_displacements(scene, members, options, steps / 2, communicator);
+    std::vector<HeldOutRun> runs;
+    for (std::size_t k = 0; k < members.size(); ++k)
+    {
+      const auto &p = members[k];
+      runs.push_back({p.young_modulus_Pa, p.viscosity_Pa_s, p.magnetization_A_m, p.frequency_Hz, p.bx_T, p.by_T,
+                      fine[k], std::abs(fine[k] - half[k]) / 3.}); // second order in the step
+    }
+    return compare_with_known(model, scene, std::move(runs));
   }
 
   std::vector<HeldOutRun> compare_with_inertia(const ReducedModel &model, const Scene &scene,
