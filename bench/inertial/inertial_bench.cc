@@ -2,12 +2,13 @@
 //
 //   bench_inertial train MODEL_IN MODEL_OUT [n samples (150) [angle]]
 //       add inertia to a model that is trained without; angle: it may depend on the head's even if nothing else does
-//   bench_inertial compare MODEL TABLE.csv                        third-period displacements, term by term
+//   bench_inertial compare MODEL TABLE.csv                        third-period displacements, run by run
 //   bench_inertial time MODEL                                     of right-hand sides and periods
 #include <datasets/reduced/reduced_model.h>
 #include <datasets/system/clocks.h>
 #include <datasets/system/error.h>
 #include <datasets/system/provenance.h>
+#include <datasets/text/csv_table.h>
 #include <rom/integration/swimmer_integrator.h>
 #include <rom/sweep/sweep.h>
 #include <rom/training/inertia_training.h>
@@ -16,12 +17,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <map>
-#include <sstream>
-#include <tuple>
+#include <utility>
+#include <vector>
 
 namespace swimtwin
 {
@@ -76,58 +77,74 @@ namespace swimtwin
               any("body") || terms == "head" ? scene.head.density_kg_m3 : 0.};
     }
 
-    double displacement(const ReducedModel &model, const Scene &scene, const std::string &terms, const double M,
-                        const double viscosity, const double frequency)
+    /// A full-order run with some terms of inertia.
+    struct FullOrderRun
+    {
+      double      young_modulus_Pa, viscosity_Pa_s, magnetization_A_m, frequency_Hz;
+      std::string terms;
+      double      displacement_m;
+    };
+
+    std::vector<FullOrderRun> read_runs(const std::string &file, const double young_modulus_Pa)
+    {
+      const CsvTable table = CsvTable::read(file);
+      const auto     mu = table.column("viscosity_Pa_s"), M = table.column("magnetization_A_m"),
+                 f = table.column("frequency_Hz"), d = table.column("displacement_m");
+      const auto                terms = table.find_column("terms").value();
+      const auto                E     = table.has_column("young_modulus_Pa") ? table.column("young_modulus_Pa")
+                                                                             : std::vector(table.n_rows(), young_modulus_Pa);
+      std::vector<FullOrderRun> runs;
+      for (std::size_t row = 0; row < table.n_rows(); ++row)
+        runs.push_back({E[row], mu[row], M[row], f[row], table.cells(row)[terms], d[row]});
+      return runs;
+    }
+
+    double displacement(const ReducedModel &model, const Scene &scene, const FullOrderRun &run)
     {
       SweepOptions options = sweep_options(scene, model);
       options.periodic = options.indicator = false;
       options.n_threads                    = 1;
-      options.densities                    = densities_of(scene, terms);
-      const auto result                    = sweep(model, {{}, {viscosity}, {M}, {}, {}, {frequency}}, options).front();
-      if (!result.note.empty())
-        fmt::print("  {}\n", result.note);
-      return result.displacement_m;
+      options.densities                    = densities_of(scene, run.terms);
+      const auto result                    = sweep(
+                             model, {{run.young_modulus_Pa}, {run.viscosity_Pa_s}, {run.magnetization_A_m}, {}, {}, {run.frequency_Hz}},
+                             options);
+      if (!result.front().note.empty())
+        fmt::print("  {}\n", result.front().note);
+      return result.front().displacement_m;
     }
+
+    /// How far off, in %, over several runs.
+    struct Deviations
+    {
+      double squares = 0., largest = 0.;
+      int    n = 0;
+
+      void add(const double off)
+      {
+        squares += off * off;
+        largest = std::max(largest, std::abs(off));
+        ++n;
+      }
+    };
 
     void compare(const std::string &file, const std::string &table)
     {
-      const ReducedModel model = read_reduced_model(file);
-      const Scene        scene = scene_of(model);
-      std::ifstream      in(table);
-      std::string        line;
-      std::getline(in, line);
-      std::map<std::string, Eigen::Array3d>                                       sums;
-      std::map<std::tuple<double, double, double>, std::map<std::string, double>> rows;
-      while (std::getline(in, line))
+      const ReducedModel                                   model = read_reduced_model(file);
+      const Scene                                          scene = scene_of(model);
+      std::map<std::pair<double, std::string>, Deviations> deviations; // by viscosity and terms
+      fmt::print("E (kPa), viscosity (Pa s), M (kA/m), f (Hz), terms: full-order (um), reduced, off in %\n");
+      for (const FullOrderRun &run : read_runs(table, scene.tail->young_modulus_Pa))
       {
-        std::istringstream       fields(line);
-        std::vector<std::string> cells;
-        for (std::string cell; std::getline(fields, cell, ',');)
-          cells.push_back(cell);
-        rows[{std::stod(cells[1]), std::stod(cells[0]), std::stod(cells[2])}][cells[3]] = std::stod(cells[4]);
-      }
-      fmt::print("viscosity  M  f: full-order (um), reduced, off in % for none, body, fluid, full\n");
-      for (const auto &[key, full_order] : rows)
-      {
-        const auto &[viscosity, M, frequency] = key;
-        std::string text                      = fmt::format("{:5.3g} {:6.0f} {:4.2g}:", viscosity, M, frequency);
-        for (const char *terms : {"none", "head", "tail", "body", "fluid", "full"})
-          if (full_order.contains(terms))
-          {
-            const double truth   = full_order.at(terms);
-            const double reduced = displacement(model, scene, terms, M, viscosity, frequency);
-            const double off     = 100. * (reduced / truth - 1.);
-            text += fmt::format("  {:7.2f} {:7.2f} {:+6.2f} %", 1e6 * truth, 1e6 * reduced, off);
-            auto &sum = sums.try_emplace(fmt::format("{} at {:.3g} Pa s", terms, viscosity), Eigen::Array3d::Zero())
-                            .first->second;
-            sum += Eigen::Array3d(1., off * off, 0.);
-            sum[2] = std::max(sum[2], std::abs(off));
-          }
-        fmt::print("{}\n", text);
+        const double reduced = displacement(model, scene, run), off = 100. * (reduced / run.displacement_m - 1.);
+        deviations[{run.viscosity_Pa_s, run.terms}].add(off);
+        fmt::print("{:5.4g} {:5.3g} {:4.4g} {:4.3g} {:5}: {:8.3f} {:8.3f} {:+6.2f} %\n", 1e-3 * run.young_modulus_Pa,
+                   run.viscosity_Pa_s, 1e-3 * run.magnetization_A_m, run.frequency_Hz, run.terms,
+                   1e6 * run.displacement_m, 1e6 * reduced, off);
         std::fflush(stdout);
       }
-      for (const auto &[what, sum] : sums)
-        fmt::print("{}: {:.2f} % rms, {:.2f} % worst of {:.0f}\n", what, std::sqrt(sum[1] / sum[0]), sum[2], sum[0]);
+      for (const auto &[what, off] : deviations)
+        fmt::print("{} at {:.3g} Pa s: {:.2f} % rms, {:.2f} % worst of {}\n", what.second, what.first,
+                   std::sqrt(off.squares / off.n), off.largest, off.n);
     }
 
     void time(const std::string &file)

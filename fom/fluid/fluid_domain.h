@@ -90,9 +90,12 @@ namespace swimtwin
     /// Pressure in Pa is the row's value times this.
     double pressure_scale() const { return pressure_scale_; }
 
-    const FluidMesh<dim>                  &fluid_mesh() const { return fluid_mesh_; }
-    const SimplexMesh<dim>                &mesh() const { return fluid_mesh_.mesh; }
-    const NodeNumbering<dim>              &numbering() const { return numbering_; }
+    const FluidMesh<dim>     &fluid_mesh() const { return fluid_mesh_; }
+    const SimplexMesh<dim>   &mesh() const { return fluid_mesh_.mesh; }
+    const NodeNumbering<dim> &numbering() const { return numbering_; }
+    /// This rank's cells, without images: each stands for as many as the mirror pairs' weight says.
+    const std::vector<unsigned int>       &owned_cells() const { return owned_cells_; }
+    const MirrorPairs<dim>                &mirror_pairs() const { return mirror_pairs_; }
     const std::vector<dealii::Point<dim>> &positions() const { return positions_; }
     const RigidPose<dim>                  &pose_at_meshing() const { return pose_at_meshing_; }
     LinearSolverCounts mesh_motion_counts() const { return extension_ ? extension_->counts() : LinearSolverCounts(); }

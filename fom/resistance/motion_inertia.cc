@@ -70,7 +70,7 @@ namespace swimtwin
       for (const auto &wall_node : fluid.fluid_mesh().wall_nodes)
         still.push_back(wall_node.node);
       MeshExtension<dim> extension(fluid.mesh(), fluid.numbering(), scene.numerics.mesh_motion,
-                                   fluid.fluid_mesh().surface_nodes, still);
+                                   fluid.fluid_mesh().surface_nodes, still, fluid.mirror_pairs());
       NodeFields<dim>    fields;
       for (unsigned int k = 0; k < motions.size(); ++k)
         if (co_moving && k < n_rigid_in_plane)
@@ -112,8 +112,12 @@ namespace swimtwin
           : fluid_(fluid), viscosity_(viscosity), u_(u), w_(w), m_(m), n_(u.size()), at_(n_), flow_changes_(zeros(n_)),
             convection_(zeros(n_)), dilatation_(zeros(n_)), mass_(n_, n_)
       {
-        for (unsigned int c = 0; c < fluid.mesh().n_cells(); ++c)
+        for (const auto c : fluid.owned_cells())
           add(c);
+        add_up(mass_);
+        for (Matrices *forms : {&flow_changes_, &convection_, &dilatation_})
+          for (auto &form : *forms)
+            add_up(form);
       }
 
       // Entry [i](j, k):
@@ -123,6 +127,13 @@ namespace swimtwin
       const FullMatrix<double> &mass() const { return mass_; }       ///< int u_i . u_j
 
     private:
+      /// Over all ranks, and over the cells that those integrated stand for.
+      void add_up(FullMatrix<double> &form) const
+      {
+        Utilities::MPI::sum(form, fluid_.mesh().communicator(), form);
+        form *= fluid_.mirror_pairs().weight();
+      }
+
       void add(const unsigned int cell)
       {
         map_.reinit(cell_positions<dim>(fluid_.mesh().cells[cell], fluid_.positions()));
@@ -197,7 +208,7 @@ namespace swimtwin
       const std::vector<std::vector<double>> &u_, &w_;
       const NodeFields<dim>                  &m_;
       unsigned int                            n_;
-      IsoparametricCell<dim>                  map_{4};
+      IsoparametricCell<dim>                  map_; // u . (u . grad) u is of degree 5
       PointFlows<dim>                         at_;
       Matrices                                flow_changes_, convection_, dilatation_;
       FullMatrix<double>                      mass_;
@@ -208,8 +219,8 @@ namespace swimtwin
     std::vector<double> mass_times(const FluidDomain<dim> &fluid, const std::vector<double> &u)
     {
       std::vector<double>    load(fluid.n_rows(), 0.);
-      IsoparametricCell<dim> map(4);
-      for (unsigned int cell = 0; cell < fluid.mesh().n_cells(); ++cell)
+      IsoparametricCell<dim> map;
+      for (const auto cell : fluid.owned_cells())
       {
         map.reinit(cell_positions<dim>(fluid.mesh().cells[cell], fluid.positions()));
         const auto rows = fluid.cell_rows(cell);
@@ -223,6 +234,8 @@ namespace swimtwin
               load[rows[a * dim + c]] += map.weight(q) * map.value(q, a) * value;
           }
       }
+      Utilities::MPI::sum(load, fluid.mesh().communicator(), load);
+      fluid.mirror_pairs().complete(load, fluid.numbering());
       return load;
     }
 
