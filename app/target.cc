@@ -40,10 +40,8 @@ namespace swimtwin
 
     void add_replay(const TrackCommand &command, const ReducedModel &model, TargetRecord &record)
     {
-      // As the reduced swimmer plans, without inertia: a replay is about everything else.
-      const Scene scene = parse_scene(model.scene_text, model.scene_name + ".toml", {"fluid.inertia=none"});
-      const auto  plant = make_full_order_plant(
-           scene, {record.goal.steps_per_second, record.way.plan.carrier.frequency_Hz, command.refine.is_asked_for()});
+      const auto plant = make_full_order_plant(
+          model, {record.goal.steps_per_second, record.way.plan.carrier.frequency_Hz, command.refine.is_asked_for()});
       record.replay = swim_to_target(*plant, record.way.plan, record.way.n_periods, record.goal.target_m);
       if (command.refine.is_asked_for())
         plant->write_snapshots(command.common.output / replay_snapshots_name);
@@ -65,19 +63,11 @@ namespace swimtwin
         add_replay(command, by.model, record);
     }
 
-    /// Of both models' ends, relative to the way between start and end.
-    double difference_at_end(const TargetRecord &record)
-    {
-      const Eigen::Vector2d planned = record.swim.back().pose.position_m;
-      return (planned - record.replay->back().pose.position_m).norm() /
-             (planned - record.swim.front().pose.position_m).norm();
-    }
-
     void refine_and_reach(const TrackCommand &command, const Refinement &refinement, RefinedModel &by,
                           TargetRecord &record)
     {
       ModelUse use;
-      use.difference = [&] { return record.replay ? std::optional(difference_at_end(record)) : std::nullopt; };
+      use.difference = [&] { return record.difference_of_replay(); };
       use.snapshots  = [&] { return std::vector{command.common.output / replay_snapshots_name}; };
       use.again      = [&](const RefinedModel &refined) {
         TargetRecord next = record;

@@ -40,8 +40,7 @@ namespace swimtwin
                                                      const bool remembers_shapes)
     {
       require_whole_steps(goal);
-      return make_full_order_plant(parse_scene(model.scene_text, model.scene_name + ".toml", {"fluid.inertia=none"}),
-                                   {goal.steps_per_second, goal.carrier.frequency_Hz, remembers_shapes});
+      return make_full_order_plant(model, {goal.steps_per_second, goal.carrier.frequency_Hz, remembers_shapes});
     }
 
     std::unique_ptr<Plant> make_plant(const ReducedModel &model, const ReducedSwimmer &swimmer,
@@ -131,28 +130,16 @@ namespace swimtwin
         plant->write_snapshots(command.common.output / replay_snapshots_name);
     }
 
-    /// Of both models' mean positions at the end, relative to the way along the path; empty where one of them failed.
-    std::optional<double> difference_at_end(const TrackRecord &record)
-    {
-      if (!record.replay || record.result.status == TrackStatus::failed ||
-          record.replay->status == TrackStatus::failed || record.result.instants.empty() ||
-          record.replay->instants.empty())
-        return {};
-      const TrackedInstant &planned = record.result.instants.back(), &replayed = record.replay->instants.back();
-      const double          way_m = planned.arc_m - record.result.instants.front().arc_m;
-      return way_m > 0. ? std::optional((planned.mean_m - replayed.mean_m).norm() / way_m) : std::nullopt;
-    }
-
     void refine_and_track(const TrackCommand &command, const Refinement &refinement, RefinedModel &by,
                           TrackRecord &record)
     {
       ModelUse use;
-      use.difference = [&] { return difference_at_end(record); };
+      use.difference = [&] { return record.difference_of_replay(); };
       use.snapshots  = [&] { return std::vector{command.common.output / replay_snapshots_name}; };
       use.again      = [&](const RefinedModel &refined) {
         TrackRecord next = record;
         track_with(command, refined, next);
-        if (!difference_at_end(next))
+        if (!next.difference_of_replay())
           throw ComputationError("the path could not be planned or swum with it");
         record = std::move(next);
       };

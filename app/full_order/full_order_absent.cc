@@ -28,7 +28,7 @@ namespace swimtwin
     return 0.;
   }
 
-  std::unique_ptr<FullOrderPlant> make_full_order_plant(const Scene &, const FullOrderPlantOptions &)
+  std::unique_ptr<FullOrderPlant> make_full_order_plant(const ReducedModel &, const FullOrderPlantOptions &)
   {
     require_full_order_model("[loop] plant = \"full-order\"", RanksAtWork::this_one);
     return {};

@@ -68,7 +68,7 @@ namespace swimtwin
     continue_in_full_order_program(RanksAtWork::this_one);
   }
 
-  std::unique_ptr<FullOrderPlant> make_full_order_plant(const Scene &, const FullOrderPlantOptions &)
+  std::unique_ptr<FullOrderPlant> make_full_order_plant(const ReducedModel &, const FullOrderPlantOptions &)
   {
     continue_in_full_order_program(RanksAtWork::this_one);
   }

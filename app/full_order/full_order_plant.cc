@@ -1,4 +1,5 @@
 #include <app/full_order/full_order_plant.h>
+#include <app/carried_inertia.h>
 #include <app/full_order/steered_swimmer.h>
 #include <datasets/system/provenance.h>
 #include <fom/run/run_recorder.h>
@@ -54,8 +55,9 @@ namespace swimtwin
     };
   } // namespace
 
-  std::unique_ptr<FullOrderPlant> make_full_order_plant(const Scene &scene, const FullOrderPlantOptions &options)
+  std::unique_ptr<FullOrderPlant> make_full_order_plant(const ReducedModel &model, const FullOrderPlantOptions &options)
   {
+    const Scene scene = scene_with_inertia(model, "none");
     if (scene.dimension == 3)
       return std::make_unique<SteeredPlant<3>>(scene, options);
     return std::make_unique<SteeredPlant<2>>(scene, options);

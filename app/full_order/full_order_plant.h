@@ -2,7 +2,7 @@
 #pragma once
 
 #include <control/steering/plant.h>
-#include <datasets/scene/scene.h>
+#include <datasets/reduced/reduced_model.h>
 
 #include <filesystem>
 #include <memory>
@@ -24,6 +24,8 @@ namespace swimtwin
     virtual void write_snapshots(const std::filesystem::path &file) const = 0;
   };
 
-  /// Throws InputError in a build without the full-order model.
-  std::unique_ptr<FullOrderPlant> make_full_order_plant(const Scene &scene, const FullOrderPlantOptions &options);
+  /// The model's swimmer without inertia, as the reduced one plans: what they differ by is everything else. Throws
+  /// InputError in a build without the full-order model.
+  std::unique_ptr<FullOrderPlant> make_full_order_plant(const ReducedModel          &model,
+                                                        const FullOrderPlantOptions &options);
 } // namespace swimtwin

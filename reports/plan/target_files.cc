@@ -22,6 +22,14 @@ namespace swimtwin
                        (way.end_m - goal.target_m).norm(), way.n_periods, way.minimum.message);
   }
 
+  std::optional<double> TargetRecord::difference_of_replay() const
+  {
+    if (!replay)
+      return {};
+    const Eigen::Vector2d start = swim.front().pose.position_m, end = swim.back().pose.position_m;
+    return (end - replay->back().pose.position_m).norm() / (end - start).norm();
+  }
+
   std::vector<TargetInstant> swim_to_target(Plant &plant, const SteeringPlan &plan, const int n_periods,
                                             const Eigen::Vector2d &target_m)
   {

@@ -37,6 +37,8 @@ namespace swimtwin
     std::string status() const { return way.found() ? "arrived" : "infeasible"; }
     /// One sentence: what the search says, and how near the best way comes.
     std::string message() const;
+    /// Of both models' ends, relative to the way between start and end; empty without a replay.
+    std::optional<double> difference_of_replay() const;
   };
 
   /// Play a plan from rest, and look at the plant 20 times per carrier period.

@@ -75,6 +75,18 @@ namespace swimtwin
     }
   } // namespace
 
+  std::optional<double> TrackRecord::difference_of_replay() const
+  {
+    const auto is_usable = [](const TrackResult &track) {
+      return track.status != TrackStatus::failed && !track.instants.empty();
+    };
+    if (!replay || !is_usable(result) || !is_usable(*replay))
+      return {};
+    const TrackedInstant &planned = result.instants.back(), &replayed = replay->instants.back();
+    const double          way_m = planned.arc_m - result.instants.front().arc_m;
+    return way_m > 0. ? std::optional((planned.mean_m - replayed.mean_m).norm() / way_m) : std::nullopt;
+  }
+
   void write_track_table(const std::filesystem::path &file, const TrackResult &result)
   {
     csv_table(columns(), result.instants).save(file);

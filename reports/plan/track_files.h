@@ -27,6 +27,9 @@ namespace swimtwin
     std::vector<RefinementRound> refinement; ///< of the model: each round's; or empty
     std::vector<std::string>     warnings;
     Provenance                   provenance;
+
+    /// Of both models' mean positions at the end, relative to the way along the path; empty where one of them failed.
+    std::optional<double> difference_of_replay() const;
   };
 
   /// Write what a verb's goal led to, with warnings, goal, model and provenance at the end.
