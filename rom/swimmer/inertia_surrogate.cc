@@ -6,15 +6,6 @@ namespace swimtwin
 {
   namespace
   {
-    /// Rows as the monomials stand in the table, from one row per row of its exponents.
-    Eigen::MatrixXd in_places(const MonomialTable &monomials, const Eigen::MatrixXd &coefficients)
-    {
-      Eigen::MatrixXd placed = Eigen::MatrixXd::Zero(monomials.size(), coefficients.cols());
-      for (Eigen::Index f = 0; f < coefficients.rows(); ++f)
-        placed.row(monomials.position_of_row(static_cast<int>(f))) += coefficients.row(f);
-      return placed;
-    }
-
     /// F_1 F_2^T + F_2 F_1^T. (Here and below products are lazy: of so few rows Eigen's packed ones take twice as
     /// long.)
     VelocityMatrix symmetric_product(const VelocityMatrix &F_1, const VelocityMatrix &F_2)
@@ -37,8 +28,8 @@ namespace swimtwin
         triples.push_back({i, pair.i, pair.j});
     masses_                   = {mass_of(inertia.fluid, densities.fluid_kg_m3, pairs, velocity_parity),
                                  mass_of(inertia.tail, densities.tail_kg_m3, pairs, velocity_parity)};
-    Eigen::MatrixXd quadratic = in_places(monomials_, densities.fluid_kg_m3 * inertia.fluid.quadratic +
-                                                          densities.tail_kg_m3 * inertia.tail.quadratic);
+    Eigen::MatrixXd quadratic = monomials_.in_order(densities.fluid_kg_m3 * inertia.fluid.quadratic +
+                                                    densities.tail_kg_m3 * inertia.tail.quadratic);
     set_head(inertia, densities.head_kg_m3, quadratic);
     quadratic_ = order(quadratic, triples, velocity_parity);
   }
@@ -85,7 +76,7 @@ namespace swimtwin
                                                    const std::vector<Term> &pairs,
                                                    const Eigen::VectorXi   &velocity_parity) const
   {
-    const Eigen::MatrixXd coefficients = in_places(monomials_, material.mass);
+    const Eigen::MatrixXd coefficients = monomials_.in_order(material.mass);
     Mass                  result{density, material.factor_at_rest, order(coefficients, pairs, velocity_parity), {}};
     const auto            n_terms = static_cast<Eigen::Index>(pairs.size());
     result.gradient.assign(static_cast<std::size_t>(monomials_.n_coordinates()),

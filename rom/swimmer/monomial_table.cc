@@ -90,6 +90,14 @@ namespace swimtwin
       position_of_row_.push_back(positions.at(row_of(exponents, row)));
   }
 
+  Eigen::MatrixXd MonomialTable::in_order(const Eigen::MatrixXd &coefficients) const
+  {
+    Eigen::MatrixXd ordered = Eigen::MatrixXd::Zero(size(), coefficients.cols());
+    for (Eigen::Index row = 0; row < coefficients.rows(); ++row)
+      ordered.row(position_of_row_[static_cast<std::size_t>(row)]) += coefficients.row(row);
+    return ordered;
+  }
+
   void MonomialTable::evaluate(const Coordinates &z, Eigen::Ref<Eigen::MatrixXd> values) const
   {
     double *const value    = values.data();

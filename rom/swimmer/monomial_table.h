@@ -26,9 +26,9 @@ namespace swimtwin
     int size() const { return static_cast<int>(order_.size()) + 1; }
     int n_even() const { return n_even_; }
     int n_coordinates() const { return n_coordinates_; }
-    /// Where the monomial of a row of `exponents` stands.
-    int position_of_row(const int row) const { return position_of_row_[static_cast<std::size_t>(row)]; }
-    int place_of_one() const { return constant_place_; }
+    /// Rows as the monomials stand in the table (size() of them), from one row per row of `exponents`.
+    Eigen::MatrixXd in_order(const Eigen::MatrixXd &coefficients) const;
+    int             place_of_one() const { return constant_place_; }
     /// All that are not zero.
     const std::vector<MonomialDerivative> &derivatives() const { return derivatives_; }
 

@@ -4,16 +4,7 @@ namespace swimtwin
 {
   namespace
   {
-    /// One polynomial per row, columns as the table orders the monomials.
-    Eigen::MatrixXd by_position(const MonomialTable &monomials, const Eigen::MatrixXd &coefficients)
-    {
-      Eigen::MatrixXd ordered = Eigen::MatrixXd::Zero(coefficients.cols(), monomials.size());
-      for (Eigen::Index row = 0; row < coefficients.rows(); ++row)
-        ordered.col(monomials.position_of_row(static_cast<int>(row))) += coefficients.row(row).transpose();
-      return ordered;
-    }
-
-    /// The derivatives of all polynomials by the first coordinate, then those by the second, ...
+    /// Polynomials are rows. The derivatives of all by the first coordinate, then those by the second, ...
     Eigen::MatrixXd derivatives(const MonomialTable &monomials, const Eigen::MatrixXd &coefficients)
     {
       const Eigen::Index n      = coefficients.rows();
@@ -42,7 +33,7 @@ namespace swimtwin
   PolynomialFamily::PolynomialFamily(const MonomialTable &monomials, const Eigen::MatrixXd &coefficients)
       : places_(coefficients.cols(), 1 + monomials.n_coordinates())
   {
-    const Eigen::MatrixXd values = by_position(monomials, coefficients);
+    const Eigen::MatrixXd values = monomials.in_order(coefficients).transpose();
     add_products(monomials, values, 0, values_);
     add_products(monomials, derivatives(monomials, values), 1, slopes_);
   }
