@@ -148,7 +148,7 @@ namespace swimtwin
       const InertialExtreme extreme = extreme_of(scene, sets);
       const double          share   = extreme.shares(scene).together();
       if (const double error = error_of_carried_inertia(share, extreme.group_of_domain(scene));
-          carried.any() && error > noticed && scene.dimension == 2)
+          carried.any() && error > noticed)
         return fmt::format(
             "the reduced swimmer knows inertia to some {:.2g} % of the displacement at {:.4g} Hz with the "
             "scene's viscosity and stiffness; the estimates make up for it",
@@ -160,7 +160,7 @@ namespace swimtwin
       return fmt::format(
           "the reduced swimmer neglects inertia, {} at {:.4g} Hz with the scene's viscosity and stiffness: where the "
           "data have it, the estimates make up for it",
-          share_of_displacement(scene, share), extreme.frequency_Hz);
+          share_of_displacement(share), extreme.frequency_Hz);
     }
 
     void complete(const CalibrateCommand &command, const ReducedModel &model, const CalibrationProblem &problem,

@@ -103,11 +103,6 @@ namespace swimtwin
         shares.head = 0.;
       const double share                          = shares.together();
       const auto &[frequency, viscosity, modulus] = extreme;
-      if (carried.of_fluid() && scene.dimension == 3)
-        return fmt::format(
-            "the reduced swimmer carries inertia to first order in the fluid's density, and what that leaves "
-            "is not estimated in space: the unsteady group 2 pi rho f L^2 / mu is up to {:.3g}",
-            group);
       if (const double error =
               error_of_carried_inertia(extreme.shares(scene).together(), extreme.group_of_domain(scene));
           carried.of_fluid() && error > noticed_share)
@@ -128,7 +123,7 @@ namespace swimtwin
           "at {:.4g} Hz, {:.4g} Pa s and {:.4g} Pa the unsteady group 2 pi rho f L^2 / mu is {:.3g}, and the "
           "reduced swimmer neglects {}, {}",
           frequency, viscosity, modulus, group, carried.any() ? "part of the inertia" : "inertia",
-          share_of_displacement(scene, share));
+          share_of_displacement(share));
       if (group > largest_unsteady_group && !allowed)
         throw InputError(
             fmt::format("{}: above {} its displacements are wrong; lower --frequency or raise --viscosity, or "
@@ -225,8 +220,6 @@ namespace swimtwin
     /// What carrying inertia leaves, on top of the error that runs without inertia had.
     void add_error_of_inertia(const ReducedModel &model, const Scene &scene, std::vector<SweepResult> &results)
     {
-      if (scene.dimension == 3)
-        return; // not estimated
       for (SweepResult &r : results)
       {
         const auto &[parameters, bx, by, frequency] = r.member;

@@ -46,7 +46,7 @@ namespace swimtwin
       if (!config.options.densities.any() && share > noticed)
         warn(fmt::format("the twin's swimmer has no inertia, {} at {:.4g} Hz: a swimmer that has is taken for one of "
                          "other stiffness and magnetization",
-                         share_of_displacement(scene, share), 1. / config.period_s));
+                         share_of_displacement(share), 1. / config.period_s));
     }
 
     void watch(const TwinCommand &command)

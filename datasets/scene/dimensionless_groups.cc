@@ -42,7 +42,8 @@ namespace swimtwin
 
   double unsteady_group_of_domain(const Scene &scene, const double frequency_Hz, const double viscosity_Pa_s)
   {
-    const double reach = fluid_reach_m(scene) / scene.body_length_m();
+    const double in_lengths = fluid_reach_m(scene) / scene.body_length_m();
+    const double reach      = scene.dimension == 3 ? std::min(1., in_lengths) : in_lengths;
     return reach * reach * unsteady_group(scene, frequency_Hz, viscosity_Pa_s);
   }
 
@@ -68,10 +69,9 @@ namespace swimtwin
     return largest;
   }
 
-  std::string share_of_displacement(const Scene &scene, const double share)
+  std::string share_of_displacement(const double share)
   {
-    return scene.dimension == 3 ? "a share of the displacement that is not estimated in space"
-                                : fmt::format("an estimated {:.2g} % of the displacement", 100. * share);
+    return fmt::format("an estimated {:.2g} % of the displacement", 100. * share);
   }
 
   std::string inertia_warning(const Scene &scene)
@@ -82,7 +82,7 @@ namespace swimtwin
     return fmt::format(
         "inertia is left out, and with it {}; use [numerics] coupling = \"monolithic\" to keep it, or set [fluid] "
         "inertia = \"none\" to neglect it knowingly",
-        share_of_displacement(scene, share));
+        share_of_displacement(share));
   }
 
   double magnetic_group(const Scene &scene)
@@ -101,7 +101,7 @@ namespace swimtwin
     if (!scene.fluid || scene.time.period_s <= 0.)
       return {};
     if (scene.dimension == 3)
-      return {}; // not estimated yet
+      return {}; // not estimated
     const double pi = std::numbers::pi, L = scene.body_length_m(), group = magnetic_group(scene);
     const double mass =
         scene.head.density_kg_m3 * scene.head.area_m2() +

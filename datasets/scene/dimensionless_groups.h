@@ -14,13 +14,12 @@ namespace swimtwin
   /// How far (m) the fluid reaches: half of the smaller extent of the domain in the plane of motion. Scene with a
   /// domain.
   double fluid_reach_m(const Scene &scene);
-  /// The unsteady group of that length.
+  /// The unsteady group of that length; in space, where flows decay within it, of the body's if that is less.
   double unsteady_group_of_domain(const Scene &scene, double frequency_Hz, double viscosity_Pa_s);
   /// Largest speed (m/s) that walls, inflows and given motions ever impose.
   double largest_imposed_speed_m_s(const Scene &scene);
-  /// "an estimated 3 % of the displacement", of what a term of inertia is worth; in space, where that is not estimated
-  /// yet, a clause that says so.
-  std::string share_of_displacement(const Scene &scene, double share);
+  /// "an estimated 3 % of the displacement", of what a term of inertia is worth.
+  std::string share_of_displacement(double share);
   /// A sentence if inertia is neglected without the scene having said so, and is not small; else empty.
   std::string inertia_warning(const Scene &scene);
   /// How the swimmer swings about the field's direction by itself when it is turned away and let go: as a rigid plate

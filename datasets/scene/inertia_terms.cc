@@ -43,9 +43,13 @@ namespace swimtwin
       return {};
     }
 
-    double tail_area_m2(const Tail &tail)
+    /// In the plane the area; in space a round section is taken to have the mean height.
+    double tail_volume(const Tail &tail, const int dimension)
     {
-      return tail.length_m * tail.mean_height_m();
+      const double h = tail.mean_height_m();
+      const double section =
+          tail.section == TailSection::rectangular ? h * tail.width_m : std::numbers::pi * h * h / 4.;
+      return tail.length_m * (dimension == 2 ? h : section);
     }
 
     /// Share of a whole of which `odds` is the ratio to the rest.
@@ -86,9 +90,12 @@ namespace swimtwin
   namespace
   {
     /// How much more fluid there is to be moved than around the reference swimmer in its box: as far as walls, or a
-    /// flow that oscillates, let it. Measured in boxes of 20 to 80 mm and discs of 12 to 50 mm (docs/study.md).
+    /// flow that oscillates, let it. Measured in boxes of 20 to 80 mm and discs of 12 to 50 mm (docs/study.md). In
+    /// space flows decay within the body's length.
     double fluid_moved(const Scene &scene, const double frequency_Hz, const double viscosity_Pa_s)
     {
+      if (scene.dimension == 3)
+        return 1.;
       constexpr double reach_there = 1.25, viscous_lengths = 1.7, power = 1.6, closed_factor = 2.2; // body lengths
       const double     viscous_length =
           std::sqrt(viscosity_Pa_s / (std::numbers::pi * scene.fluid->density_kg_m3 * frequency_Hz));
@@ -96,6 +103,23 @@ namespace swimtwin
       return (scene.domain->has_traction_free_wall() ? 1. : closed_factor) *
              std::max(1., std::pow(reach / reach_there, power));
     }
+
+    /// Net displacement without inertia comes from the tail's compliance, with it also from inertia: the ratio of both
+    /// is that of the unsteady group to the inverse of the elastic one (`stiff`); a tail so soft that it gives all it
+    /// can leaves the unsteady group alone (`soft`). Factors of the reference swimmers (docs/study.md, sections 6 and
+    /// 7), and their masses as shares of rho_f L^2, in space L^3.
+    struct MeasuredRatio
+    {
+      double stiff, soft, growth; ///< of `stiff` with the unsteady group
+      struct Part
+      {
+        double of_stiff, of_soft, mass;
+      } fluid, tail, head;
+    };
+    // From 0.1 to 3 Hz, at 1.52 and 0.15 Pa s, from 20 kPa to 1 MPa.
+    constexpr MeasuredRatio in_plane{.01, .044, 1., {.4, .6, 1.}, {.2, .2, .103}, {.6, .35, .065}};
+    // From 0.2 to 3 Hz, at 1.52 and 0.15 Pa s, from 100 to 800 kPa.
+    constexpr MeasuredRatio in_space{.067, .0115, 0., {.7, .7, 1.}, {.16, .16, .0086}, {.24, .24, .0096}};
   } // namespace
 
   InertiaShares inertia_shares(const Scene &scene, const double frequency_Hz, const double viscosity_Pa_s,
@@ -103,32 +127,26 @@ namespace swimtwin
   {
     if (!scene.fluid)
       return {};
-    if (scene.dimension == 3) // not measured yet: all is kept, but where the fluid follows at once
+    constexpr double at_once  = 1e-3;
+    const double     unsteady = unsteady_group(scene, frequency_Hz, viscosity_Pa_s);
+    if (!scene.tail || !scene.tail->is_elastic()) // nothing else gets a rigid body anywhere
     {
-      constexpr double at_once = 1e-3;
-      const double     share   = unsteady_group(scene, frequency_Hz, viscosity_Pa_s) > at_once ? 1. : 0.;
+      const double share = scene.dimension == 2 || unsteady > at_once ? 1. : 0.;
       return {share, scene.tail ? share : 0., scene.head.is_free() ? share : 0.};
     }
-    // Net displacement without inertia comes from the tail's compliance, with it also from inertia: the ratio of both
-    // is that of the unsteady group to the inverse of the elastic one; a tail so soft that it gives all it can leaves
-    // the unsteady group alone. Factors: the reference swimmer from 0.1 to 3 Hz, at 1.52 and 0.15 Pa s, from 20 kPa to
-    // 1 MPa (docs/study.md), and mass of head and tail as shares of rho_f L^2 there.
-    constexpr double stiff_factor = 0.01, soft_factor = 0.044;
-    constexpr double head_mass_there = 0.065, tail_mass_there = 0.103;
-    const double     L        = scene.body_length_m();
-    const double     unsteady = unsteady_group(scene, frequency_Hz, viscosity_Pa_s);
-    const double     mass     = scene.fluid->density_kg_m3 * L * L;
-    const double     head     = scene.head.density_kg_m3 * scene.head.area_m2() / mass / head_mass_there;
-    const double     tail =
-        scene.tail ? scene.tail->density_kg_m3 * tail_area_m2(*scene.tail) / mass / tail_mass_there : 0.;
-    if (!scene.tail || !scene.tail->is_elastic())
-      return {1., tail > 0. ? 1. : 0., scene.head.is_free() ? 1. : 0.}; // nothing else gets a rigid body anywhere
-    const double stiff = stiff_factor * unsteady * (1. + unsteady) *
+    const MeasuredRatio &measured = scene.dimension == 3 ? in_space : in_plane;
+    const double         stiff    = measured.stiff * unsteady * (1. + measured.growth * unsteady) *
                          elastic_group(scene, frequency_Hz, viscosity_Pa_s, young_modulus_Pa);
-    const double soft  = soft_factor * unsteady;
-    const double moved = fluid_moved(scene, frequency_Hz, viscosity_Pa_s);
-    return {share_of_odds(moved * (.4 * stiff + .6 * soft)), share_of_odds((.2 * stiff + .2 * soft) * tail),
-            scene.head.is_free() ? share_of_odds((.6 * stiff + .35 * soft) * head) : 0.};
+    const double soft       = measured.soft * unsteady;
+    const double fluid_mass = scene.fluid->density_kg_m3 * std::pow(scene.body_length_m(), scene.dimension);
+    const auto   share_of   = [&](const MeasuredRatio::Part &part, const double mass) {
+      return share_of_odds((part.of_stiff * stiff + part.of_soft * soft) * mass / fluid_mass / part.mass);
+    };
+    return {share_of(measured.fluid, fluid_mass * fluid_moved(scene, frequency_Hz, viscosity_Pa_s)),
+            share_of(measured.tail, scene.tail->density_kg_m3 * tail_volume(*scene.tail, scene.dimension)),
+            scene.head.is_free()
+                ? share_of(measured.head, scene.head.density_kg_m3 * scene.head.volume(scene.dimension))
+                : 0.};
   }
 
   InertiaShares inertia_shares(const Scene &scene)

@@ -36,7 +36,7 @@ namespace swimtwin
     double power_defect() const;
   };
 
-  /// Of the fluid as meshed for this configuration (it must not have moved since): rho int (du/dt + u . grad u) . u_i
+  /// Of the fluid on its mesh as it is, which must fit this configuration: rho int (du/dt + u . grad u) . u_i
   /// of u = sum xi_j u_j, u_i the Stokes flow of motion i. By the reciprocal theorem that is the fluid's force of
   /// inertia to first order in the density. Collective; throws ComputationError.
   template <int dim>

@@ -103,11 +103,7 @@ namespace swimtwin
     {
       const InertiaTerms terms       = inertia_terms(scene);
       const auto [fluid, tail, head] = inertia_shares(scene);
-      if (scene.dimension == 3)
-        plan.numbers.push_back({"inertia",
-                                "its share is not estimated in space yet: \"auto\" keeps all of it where the "
-                                "unsteady group is above 0.001"});
-      else if (scene.time.period_s > 0. && !scene.time.is_steady)
+      if (scene.time.period_s > 0. && !scene.time.is_steady)
         plan.numbers.push_back(
             {"inertia", fmt::format("estimated share of the displacement: fluid {:.2g} %, tail {:.2g} %, "
                                     "head {:.2g} %; \"auto\" keeps what is above {:.1g} %",

@@ -83,7 +83,8 @@ namespace swimtwin
     for (const std::string &step : record.history)
       text += fmt::format("  training     {}\n", step);
     if (model.inertia.is_given())
-      text += "  inertia      of fluid, tail and head: carried by `sweep`, left out by what else moves the model\n";
+      text += "  inertia      of fluid, tail and head: carried by `sweep`, `calibrate`, `twin` and `lab`, left out by "
+              "`optimize` and `track`\n";
     for (const std::string &neglected : record.neglects)
       text += fmt::format("  neglects     {}\n", neglected);
     return text;

@@ -1,10 +1,10 @@
 #include <rom/training/inertia_samples.h>
 
 #include <datasets/system/error.h>
-#include <fom/body/mesh_around.h>
 #include <fom/elastic/nodal_vector.h>
 #include <rom/swimmer/shape_amplitudes.h>
 #include <rom/training/posed_body.h>
+#include <rom/training/posed_fluid.h>
 
 #include <optional>
 
@@ -84,7 +84,8 @@ namespace swimtwin
     };
 
     template <int dim>
-    std::optional<InertiaAtShape> inertia_at(const ModelBody<dim> &body, const ShapePoint &point)
+    std::optional<InertiaAtShape> inertia_at(const ModelBody<dim> &body, PosedFluid<dim> &fluid,
+                                             const ShapePoint &point)
     {
       const Configuration<dim> c = body.configuration(point);
       if (body.swimmer().elasticity().is_inverted(c.shape))
@@ -92,9 +93,9 @@ namespace swimtwin
       const BodyMotions<dim> motions = body.motions(point.q);
       try
       {
-        const FluidDomain<dim> fluid(body.swimmer().scene(), mesh_for_given_motions(body.swimmer(), c, MPI_COMM_SELF),
-                                     c.pose);
-        const auto             of_fluid = compute_fluid_inertia(body.swimmer(), fluid, c, motions);
+        const auto of_fluid = fluid.around(c, [&](const FluidDomain<dim> &around) {
+          return compute_fluid_inertia(body.swimmer(), around, c, motions);
+        });
         return InertiaAtShape{sample_of(of_fluid), sample_of(compute_tail_inertia(body.swimmer(), c, motions)),
                               of_fluid.power_defect()};
       }
@@ -128,11 +129,12 @@ namespace swimtwin
     MPI_Comm_rank(communicator, &rank);
     MPI_Comm_size(communicator, &n_ranks);
     const ModelBody<dim> body(model, scene);
+    PosedFluid<dim>      fluid(body.swimmer());
     const Eigen::Index   n = model.n_modes() + n_rigid_in_plane, of_material = n * n + n * n * (n + 1) / 2;
     Eigen::MatrixXd      all = Eigen::MatrixXd::Zero(2 * of_material + 1, static_cast<Eigen::Index>(points.size()));
     for (std::size_t k = static_cast<std::size_t>(rank); k < points.size(); k += static_cast<std::size_t>(n_ranks))
     {
-      if (const auto at = inertia_at(body, points[k]))
+      if (const auto at = inertia_at(body, fluid, points[k]))
         all.col(static_cast<Eigen::Index>(k)) = numbers_of(*at);
       if (on_progress)
         on_progress(static_cast<int>(k) + 1, static_cast<int>(points.size()));

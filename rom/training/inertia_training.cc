@@ -24,13 +24,13 @@ namespace swimtwin
               resistance.depends_on_height, resistance.height_scale_m};
     }
 
-    std::vector<ShapePoint> points_to_sample(const ReducedModel &model, const SampledRegion &region, const int n)
+    std::vector<ShapePoint> points_to_sample(const std::vector<ExploredPoint> &seen, const SampledRegion &region,
+                                             const ShapePoint &rest, const int n)
     {
       constexpr double        nearer = .3;
-      const ShapePoint        rest{Eigen::VectorXd::Zero(model.n_modes()), 0., 0., 0.};
       std::vector<ShapePoint> points = axis_points(region, rest);
-      const auto              seen   = shapes_of(explore(model, spread_members(model.range, 40, 400), rest));
-      const auto along = spread_out(seen, points, region, Eigen::VectorXd::Ones(region.n_variables()), n / 3);
+      const auto              along =
+          spread_out(shapes_of(seen), points, region, Eigen::VectorXd::Ones(region.n_variables()), n / 3);
       points.insert(points.end(), along.begin(), along.end());
       for (auto point : along) // what small strokes do is told by slopes at rest
       {
@@ -44,6 +44,15 @@ namespace swimtwin
       return points;
     }
 
+    /// Velocities in units in which L L^T is the identity, root mean square of a swimmer's own.
+    Eigen::VectorXd usual_velocities(const std::vector<ExploredPoint> &seen, const Eigen::MatrixXd &L)
+    {
+      Eigen::ArrayXd squares = Eigen::ArrayXd::Zero(L.rows());
+      for (const ExploredPoint &point : seen)
+        squares += (L.transpose() * point.velocity).array().square();
+      return (squares / static_cast<double>(seen.size())).sqrt();
+    }
+
     /// Samples as a table: a row of values each, the entries of M's factor first, and for each column whether it is
     /// odd.
     struct InertiaTable
@@ -52,10 +61,11 @@ namespace swimtwin
       Eigen::VectorXd   weight;
       std::vector<char> is_odd;
       Eigen::Index      n_mass = 0; ///< columns of the factor
+      Eigen::VectorXd   power;      ///< of each further column per its value: what it is worth at usual velocities
 
       InertiaTable rows(const std::vector<int> &which) const
       {
-        return {z(which, Eigen::all), values(which, Eigen::all), weight(which), is_odd, n_mass};
+        return {z(which, Eigen::all), values(which, Eigen::all), weight(which), is_odd, n_mass, power};
       }
     };
 
@@ -87,7 +97,7 @@ namespace swimtwin
     }
 
     InertiaTable table_of(const InertiaSamples &samples, const std::vector<InertiaSample> &material,
-                          const SampledRegion &region, const Eigen::MatrixXd &L)
+                          const SampledRegion &region, const Eigen::MatrixXd &L, const Eigen::VectorXd &velocity)
     {
       const Eigen::MatrixXd L_mass = factor_at_rest(material.front().mass);
       const auto            m      = static_cast<Eigen::Index>(samples.points.size());
@@ -96,7 +106,8 @@ namespace swimtwin
                          Eigen::MatrixXd(m, (1 + n) * n_pairs),
                          Eigen::VectorXd(m),
                          {},
-                         n_pairs};
+                         n_pairs,
+                         Eigen::VectorXd(n * n_pairs)};
       for (Eigen::Index k = 0; k < m; ++k)
       {
         const auto at   = static_cast<std::size_t>(k);
@@ -109,6 +120,10 @@ namespace swimtwin
         for (int j = 0; j < n; ++j)
           for (int k = 0; k <= j; ++k)
             table.is_odd.push_back((i < 0 ? 1 : velocity_parity(i)) * velocity_parity(j) * velocity_parity(k) < 0);
+      for (Eigen::Index i = 0, column = 0; i < n; ++i)
+        for (Eigen::Index j = 0; j < n; ++j)
+          for (Eigen::Index k = 0; k <= j; ++k)
+            table.power(column++) = velocity(i) * velocity(j) * velocity(k);
       return table;
     }
 
@@ -133,7 +148,7 @@ namespace swimtwin
 
     struct InertiaFitQuality
     {
-      double mass = 0., quadratic = 0.; ///< root mean square over held-back samples, relative; of M's factor
+      double mass = 0., quadratic = 0.; ///< root mean square over held-back samples, relative: of M's factor, of power
     };
 
     InertiaFitQuality cross_validate(const Eigen::MatrixXi &exponents, const InertiaTable &table)
@@ -149,9 +164,11 @@ namespace swimtwin
         const Eigen::MatrixXd wrong =
             test.weight.asDiagonal() * (design(exponents, test.z) * fit(exponents, table.rows(kept)) - test.values);
         const Eigen::MatrixXd truth  = test.weight.asDiagonal() * test.values;
-        const Eigen::Index    n_rest = truth.cols() - table.n_mass;
-        off += Eigen::Vector2d(wrong.leftCols(table.n_mass).squaredNorm(), wrong.rightCols(n_rest).squaredNorm());
-        all += Eigen::Vector2d(test.weight.squaredNorm(), truth.rightCols(n_rest).squaredNorm());
+        const auto            powers = [&table](const Eigen::MatrixXd &values) {
+          return (values.rightCols(table.power.size()) * table.power.asDiagonal()).squaredNorm();
+        };
+        off += Eigen::Vector2d(wrong.leftCols(table.n_mass).squaredNorm(), powers(wrong));
+        all += Eigen::Vector2d(test.weight.squaredNorm(), powers(truth));
       }
       return {std::sqrt(off(0) / all(0)), std::sqrt(off(1) / all(1))};
     }
@@ -176,8 +193,10 @@ namespace swimtwin
   TrainedInertia train_inertia(const ReducedModel &model, const Scene &scene, const int n_samples,
                                const MPI_Comm communicator, const std::function<void(int, int)> &on_progress)
   {
-    const SampledRegion          region  = region_of(model.resistance);
-    const auto                   points  = points_to_sample(model, region, n_samples);
+    const SampledRegion          region = region_of(model.resistance);
+    const ShapePoint             rest{Eigen::VectorXd::Zero(model.n_modes()), 0., 0., 0.};
+    const auto                   seen    = explore(model, spread_members(model.range, 40, 400), rest);
+    const auto                   points  = points_to_sample(seen, region, rest, n_samples);
     const InertiaSamples         samples = scene.dimension == 3
                                                ? sample_inertia<3>(model, scene, points, communicator, on_progress)
                                                : sample_inertia<2>(model, scene, points, communicator, on_progress);
@@ -185,13 +204,15 @@ namespace swimtwin
     std::vector<Eigen::MatrixXd> edge;
     for (int k = 1; k <= region.n_variables(); ++k)
       edge.push_back(samples.fluid.at(static_cast<std::size_t>(k)).mass);
-    const Eigen::VectorXd effects = variable_effects(samples.fluid.front().mass, edge);
-    const InertiaTable    fluid   = table_of(samples, samples.fluid, region, L),
-                       tail       = table_of(samples, samples.tail, region, L);
+    const Eigen::VectorXd effects  = variable_effects(samples.fluid.front().mass, edge);
+    const Eigen::VectorXd velocity = usual_velocities(seen, L);
+    const InertiaTable    fluid    = table_of(samples, samples.fluid, region, L, velocity),
+                       tail        = table_of(samples, samples.tail, region, L, velocity);
 
-    // The smallest set that is nearly as good as the best, for the fluid's quadratic forces, which are hardest.
-    constexpr double               nearly = 1.15;
-    const auto                     sets   = feature_sets(effects, fluid.z.rows());
+    // The smallest set that is good enough, beside the 4 % that a force of first order leaves, or nearly as good as the
+    // best; for the fluid's quadratic forces, which are hardest.
+    constexpr double               nearly = 1.15, good_enough = 0.015;
+    const auto                     sets = feature_sets(effects, fluid.z.rows());
     std::vector<InertiaFitQuality> qualities;
     double                         best = std::numeric_limits<double>::infinity();
     for (const auto &set : sets)
@@ -200,7 +221,7 @@ namespace swimtwin
       best = std::min(best, qualities.back().quadratic);
     }
     std::size_t chosen = 0;
-    while (qualities[chosen].quadratic > nearly * best)
+    while (qualities[chosen].quadratic > std::max(good_enough, nearly * best))
       ++chosen;
 
     TrainedInertia result;
@@ -243,6 +264,6 @@ namespace swimtwin
                : fmt::format(
                      "Inertia of fluid and solid: the unsteady group 2 pi rho f L^2 / mu is up to {:.2g}; with the "
                      "stiffest tail {} is missing there.",
-                     group, share_of_displacement(scene, largest_shares(scene, range).together()));
+                     group, share_of_displacement(largest_shares(scene, range).together()));
   }
 } // namespace swimtwin

@@ -2,7 +2,6 @@
 
 #include <fom/elastic/nodal_vector.h>
 #include <datasets/system/error.h>
-#include <fom/body/mesh_around.h>
 #include <fom/resistance/motion_resistance.h>
 #include <rom/training/posed_body.h>
 
@@ -12,31 +11,8 @@ namespace swimtwin
 {
   template <int dim>
   ShapeResistance<dim>::ShapeResistance(const Swimmer<dim> &swimmer, const TailBasis &basis, const UsualPlace &place)
-      : swimmer_(swimmer), basis_(basis), place_(place)
+      : swimmer_(swimmer), basis_(basis), place_(place), fluid_(swimmer)
   {
-    if constexpr (dim == 3)
-    {
-      const Configuration<dim> rest = swimmer.configuration_at_rest();
-      fluid_ = std::make_unique<FluidDomain<dim>>(swimmer.scene(), mesh_for_given_motions(swimmer, rest, MPI_COMM_SELF),
-                                                  rest.pose);
-    }
-  }
-
-  template <int dim>
-  dealii::FullMatrix<double> ShapeResistance<dim>::resistance(const Configuration<dim>           &configuration,
-                                                              const std::vector<NodalField<dim>> &modes)
-  {
-    if (fluid_ &&
-        fluid_->follow(swimmer_.surface(configuration), configuration.pose) >= swimmer_.scene().numerics.remesh_quality)
-      try
-      {
-        return compute_motion_resistance(swimmer_, *fluid_, configuration, modes).matrix;
-      }
-      catch (const ComputationError &)
-      {
-        // its elements are too bent
-      }
-    return compute_motion_resistance(swimmer_, configuration, modes, MPI_COMM_SELF).matrix;
   }
 
   template <int dim>
@@ -52,7 +28,9 @@ namespace swimtwin
       modes.push_back(nodal_field<dim>(tangent.col(k)));
     try
     {
-      const auto      R = resistance(c, modes);
+      const auto      R = fluid_.around(c, [&](const FluidDomain<dim> &fluid) {
+        return compute_motion_resistance(swimmer_, fluid, c, modes).matrix;
+      });
       Eigen::MatrixXd result(R.m(), R.n());
       for (unsigned int i = 0; i < R.m(); ++i)
         for (unsigned int j = 0; j < R.n(); ++j)

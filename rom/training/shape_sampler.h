@@ -1,13 +1,11 @@
 // Resistance of the reduced swimmer at many shapes, shared out over ranks.
 #pragma once
 
-#include <fom/body/swimmer.h>
-#include <fom/fluid/fluid_domain.h>
+#include <rom/training/posed_fluid.h>
 #include <rom/training/sample_store.h>
 #include <rom/training/tail_basis.h>
 
 #include <functional>
-#include <memory>
 #include <optional>
 
 namespace swimtwin
@@ -18,10 +16,7 @@ namespace swimtwin
     Eigen::MatrixXd resistance; ///< unit viscosity, in 2D per unit depth, (r + 3) x (r + 3): R^T dx/dt, omega, dq/dt
   };
 
-  /// Of a body at any shape and pose, by the full-order fluid. In the plane it is meshed anew for each. In space meshes
-  /// are coarser, so that the resistance would jump from one to the next: there the mesh that is made around the body
-  /// at rest follows it, as it does in a run, and a new one is made only where that one would be below [numerics]
-  /// remesh_quality.
+  /// Of a body at any shape and pose, by the full-order fluid.
   template <int dim>
   class ShapeResistance
   {
@@ -33,13 +28,10 @@ namespace swimtwin
     std::optional<Eigen::MatrixXd> at(const ShapePoint &point);
 
   private:
-    dealii::FullMatrix<double> resistance(const Configuration<dim>           &configuration,
-                                          const std::vector<NodalField<dim>> &modes);
-
-    const Swimmer<dim>               &swimmer_;
-    const TailBasis                  &basis_;
-    const UsualPlace                 &place_;
-    std::unique_ptr<FluidDomain<dim>> fluid_; ///< in space: follows the body
+    const Swimmer<dim> &swimmer_;
+    const TailBasis    &basis_;
+    const UsualPlace   &place_;
+    PosedFluid<dim>     fluid_;
   };
 
   class ShapeSampler

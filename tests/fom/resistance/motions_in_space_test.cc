@@ -124,6 +124,36 @@ namespace swimtwin
     }
   }
 
+  // On one mesh that follows the body the mass is a smooth function of its motion: the differences are exact to second
+  // order, and those of the mesh itself are in them.
+  TEST(MotionsInSpace, HaveSlopesOfTheMassThatAreItsDifferences)
+  {
+    const SpatialBody body("reference-3d-paper", "on");
+    const auto        rest = body.swimmer.configuration_at_rest();
+    FluidDomain<3>    fluid(body.scene, mesh_for_given_motions(body.swimmer, rest, MPI_COMM_WORLD), rest.pose);
+    const auto        at = [&](const double bend, const double angle) {
+      auto c  = rest;
+      c.shape = body.bending(bend);
+      c.pose.set_attitude(Attitude<3>::about_z(angle));
+      EXPECT_GT(fluid.follow(body.swimmer.surface(c), c.pose), 0.);
+      const auto unit = body.bending(1.);
+      return compute_fluid_inertia(body.swimmer, fluid, c, {{unit}, {{NodalField<3>(unit.size())}}});
+    };
+    constexpr double bend = 1., angle = .2, step = .02;
+    const auto       here       = at(bend, angle);
+    const auto       difference = [&](const MotionInertia<3> &up, const MotionInertia<3> &down, const unsigned int k) {
+      double worst = 0.;
+      for (unsigned int i = 0; i < here.mass.m(); ++i)
+        for (unsigned int j = 0; j < here.mass.n(); ++j)
+          worst =
+              std::max(worst, std::abs((up.mass(i, j) - down.mass(i, j)) / (2. * step) - here.mass_slopes[k](i, j)) /
+                                        std::sqrt(here.mass(i, i) * here.mass(j, j)));
+      return worst;
+    };
+    EXPECT_LT(difference(at(bend + step, angle), at(bend - step, angle), 3), 1e-3);
+    EXPECT_LT(difference(at(bend, angle + step), at(bend, angle - step), 2), 1e-3);
+  }
+
   // A rigid body of the tail's mass, whose products of inertia are those of a body of revolution.
   TEST(MotionsInSpace, OfTheTailAloneHaveItsMass)
   {
