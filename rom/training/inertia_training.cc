@@ -173,6 +173,30 @@ namespace swimtwin
       return {std::sqrt(off(0) / all(0)), std::sqrt(off(1) / all(1))};
     }
 
+    struct ChosenFeatures
+    {
+      Eigen::MatrixXi   exponents;
+      InertiaFitQuality quality;
+    };
+
+    /// The smallest set that is good enough, beside the 4 % that a force of first order leaves, or nearly as good as
+    /// the best, for the quadratic forces, which are hardest.
+    ChosenFeatures choose_features(const std::vector<Eigen::MatrixXi> &sets, const InertiaTable &table)
+    {
+      constexpr double               nearly = 1.15, good_enough = 0.015;
+      std::vector<InertiaFitQuality> qualities;
+      double                         best = std::numeric_limits<double>::infinity();
+      for (const auto &set : sets)
+      {
+        qualities.push_back(cross_validate(set, table));
+        best = std::min(best, qualities.back().quadratic);
+      }
+      std::size_t chosen = 0;
+      while (qualities[chosen].quadratic > std::max(good_enough, nearly * best))
+        ++chosen;
+      return {sets[chosen], qualities[chosen]};
+    }
+
     InertiaPolynomials polynomials_of(const Eigen::MatrixXi &exponents, const InertiaTable &table,
                                       const Eigen::MatrixXd &mass_at_rest, const Eigen::MatrixXd &L)
     {
@@ -204,34 +228,20 @@ namespace swimtwin
     std::vector<Eigen::MatrixXd> edge;
     for (int k = 1; k <= region.n_variables(); ++k)
       edge.push_back(samples.fluid.at(static_cast<std::size_t>(k)).mass);
-    const Eigen::VectorXd effects  = variable_effects(samples.fluid.front().mass, edge);
-    const Eigen::VectorXd velocity = usual_velocities(seen, L);
-    const InertiaTable    fluid    = table_of(samples, samples.fluid, region, L, velocity),
-                       tail        = table_of(samples, samples.tail, region, L, velocity);
-
-    // The smallest set that is good enough, beside the 4 % that a force of first order leaves, or nearly as good as the
-    // best; for the fluid's quadratic forces, which are hardest.
-    constexpr double               nearly = 1.15, good_enough = 0.015;
-    const auto                     sets = feature_sets(effects, fluid.z.rows());
-    std::vector<InertiaFitQuality> qualities;
-    double                         best = std::numeric_limits<double>::infinity();
-    for (const auto &set : sets)
-    {
-      qualities.push_back(cross_validate(set, fluid));
-      best = std::min(best, qualities.back().quadratic);
-    }
-    std::size_t chosen = 0;
-    while (qualities[chosen].quadratic > std::max(good_enough, nearly * best))
-      ++chosen;
+    const Eigen::VectorXd effects   = variable_effects(samples.fluid.front().mass, edge);
+    const Eigen::VectorXd velocity  = usual_velocities(seen, L);
+    const InertiaTable    fluid     = table_of(samples, samples.fluid, region, L, velocity),
+                       tail         = table_of(samples, samples.tail, region, L, velocity);
+    const auto [exponents, quality] = choose_features(feature_sets(effects, fluid.z.rows()), fluid);
 
     TrainedInertia result;
     result.n_samples       = static_cast<int>(samples.points.size());
-    result.mass_error      = qualities[chosen].mass;
-    result.quadratic_error = qualities[chosen].quadratic;
+    result.mass_error      = quality.mass;
+    result.quadratic_error = quality.quadratic;
     result.power_defect    = samples.largest_power_defect;
-    result.inertia         = {sets[chosen], polynomials_of(sets[chosen], fluid, samples.fluid.front().mass, L),
-                              polynomials_of(sets[chosen], tail, samples.tail.front().mass, L),
-                              scene.head.volume(scene.dimension), scene.head.second_moment(scene.dimension)};
+    result.inertia         = {exponents, polynomials_of(exponents, fluid, samples.fluid.front().mass, L),
+                              polynomials_of(exponents, tail, samples.tail.front().mass, L), scene.head.volume(scene.dimension),
+                              scene.head.second_moment(scene.dimension)};
     return result;
   }
 
