@@ -149,6 +149,8 @@ namespace swimtwin
     struct InertiaFitQuality
     {
       double mass = 0., quadratic = 0.; ///< root mean square over held-back samples, relative: of M's factor, of power
+
+      double worse() const { return std::max(mass, quadratic); }
     };
 
     InertiaFitQuality cross_validate(const Eigen::MatrixXi &exponents, const InertiaTable &table)
@@ -180,7 +182,7 @@ namespace swimtwin
     };
 
     /// The smallest set that is good enough, beside the 4 % that a force of first order leaves, or nearly as good as
-    /// the best, for the quadratic forces, which are hardest.
+    /// the best.
     ChosenFeatures choose_features(const std::vector<Eigen::MatrixXi> &sets, const InertiaTable &table)
     {
       constexpr double               nearly = 1.15, good_enough = 0.015;
@@ -189,10 +191,10 @@ namespace swimtwin
       for (const auto &set : sets)
       {
         qualities.push_back(cross_validate(set, table));
-        best = std::min(best, qualities.back().quadratic);
+        best = std::min(best, qualities.back().worse());
       }
       std::size_t chosen = 0;
-      while (qualities[chosen].quadratic > std::max(good_enough, nearly * best))
+      while (qualities[chosen].worse() > std::max(good_enough, nearly * best))
         ++chosen;
       return {sets[chosen], qualities[chosen]};
     }

@@ -83,7 +83,7 @@ namespace swimtwin
     EXPECT_LE(model.record.velocity_error_max, 0.01);
   }
 
-  INSTANTIATE_TEST_SUITE_P(All, ShippedModels, ::testing::Values("reference-2d", "open-2d", "reference-3d"));
+  INSTANTIATE_TEST_SUITE_P(All, ShippedModels, ::testing::Values("reference-2d", "open-2d", "reference-3d", "open-3d"));
 
   namespace
   {
@@ -256,6 +256,6 @@ namespace swimtwin
   // From 0.2 to 3 Hz in glycerol, and at a tenth of its viscosity.
   TEST(ShippedSpatialModel, ErrorOfCarriedInertiaIsBounded)
   {
-    expect_bounded_error_of_inertia("reference-3d", "inertia-3d.csv", 1);
+    expect_bounded_error_of_inertia("reference-3d", "inertia-3d.csv", 6);
   }
 } // namespace swimtwin
