@@ -133,6 +133,44 @@ namespace swimtwin
       return quality;
     }
 
+    /// Largest condition of the resistances, seen from that at rest, that these entries of C stand for, one row each.
+    double largest_condition(const Eigen::MatrixXd &entries, const Eigen::Index n)
+    {
+      double largest = 1.;
+      for (Eigen::Index k = 0; k < entries.rows(); ++k)
+      {
+        const Eigen::VectorXd singular = factor(entries.row(k).transpose(), n).jacobiSvd().singularValues();
+        largest                        = std::max(largest, std::pow(singular(0) / singular(n - 1), 2));
+      }
+      return std::isfinite(largest) ? largest : std::numeric_limits<double>::infinity();
+    }
+
+    /// Variables, one row each, where motions may lead beyond what was sampled: shapes at half of the region's size
+    /// beyond its edge, poses up to there.
+    Eigen::MatrixXd variables_beyond(const SampledRegion &region)
+    {
+      constexpr int      n_points = 1000;
+      constexpr double   beyond   = 1.5;
+      const Eigen::Index r        = region.coordinate_scale_m.size();
+      const auto         points   = filling_points(region, {Eigen::VectorXd::Zero(r), 0., 0., 0.}, n_points);
+      Eigen::MatrixXd    z(n_points, region.n_variables());
+      for (int k = 0; k < n_points; ++k)
+      {
+        z.row(k) = beyond * region.variables(points[static_cast<std::size_t>(k)]).transpose();
+        z.row(k).head(r) *= beyond / z.row(k).head(r).norm();
+      }
+      return z;
+    }
+
+    /// Whether the fit to such monomials stays a resistance at z: its condition is nowhere more than some times that of
+    /// the worst sample.
+    bool is_sound_at(const Eigen::MatrixXd &z, const Eigen::MatrixXi &exponents, const SampleTable &table)
+    {
+      constexpr double      bound  = 4.;
+      const Eigen::MatrixXd fitted = design(exponents, z) * fit_coefficients(exponents, table);
+      return largest_condition(fitted, table.n) <= bound * largest_condition(table.entries, table.n);
+    }
+
     Eigen::MatrixXd inverse_factor(const Eigen::MatrixXd &A)
     {
       const Eigen::HouseholderQR<Eigen::MatrixXd> qr(A);
@@ -203,6 +241,9 @@ namespace swimtwin
     std::size_t chosen = 0;
     while (qualities[chosen].rms > nearly * best)
       ++chosen;
+    const Eigen::MatrixXd beyond = variables_beyond(region_);
+    while (chosen > 0 && !is_sound_at(beyond, sets[chosen], table))
+      --chosen;
     quality_              = qualities[chosen];
     resistance_.exponents = sets[chosen];
   }

@@ -46,7 +46,8 @@ namespace swimtwin
 
   /// Which monomials matter is told by `effects`: how much each variable at the region's edge changes the scaled
   /// factor. Their products, raised to the powers of a monomial, must exceed a bound; the bound is chosen by
-  /// cross-validation: the smallest set that is within `nearly` times of the best. The first sample is that at rest.
+  /// cross-validation: the smallest set that is within `nearly` times of the best, or a smaller one where that is wild
+  /// beyond the region. The first sample is that at rest.
   /// All bending coordinates are odd. The halves of the samples are fitted by themselves as well, every other one.
   class ResistanceFit
   {
