@@ -118,7 +118,7 @@ namespace swimtwin
     };
     // From 0.1 to 3 Hz, at 1.52 and 0.15 Pa s, from 20 kPa to 1 MPa.
     constexpr MeasuredRatio in_plane{.01, .044, 1., {.4, .6, 1.}, {.2, .2, .103}, {.6, .35, .065}};
-    // From 0.2 to 3 Hz, at 1.52 and 0.15 Pa s, from 100 to 800 kPa, 100 and 200 kA/m.
+    // From 0.2 to 2 Hz, at 1.52 and 0.15 Pa s, from 100 to 800 kPa, 100 and 200 kA/m.
     constexpr MeasuredRatio in_space{.067, .016, 0., {.7, .7, 1.}, {.16, .16, .0086}, {.24, .24, .0096}};
   } // namespace
 

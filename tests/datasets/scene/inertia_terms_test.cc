@@ -88,7 +88,7 @@ namespace swimtwin
   {
     const auto in_plane = measured_in_plane(), in_space = measured_in_space();
     ASSERT_EQ(in_plane.size(), 36u);
-    ASSERT_GE(in_space.size(), 10u);
+    ASSERT_EQ(in_space.size(), 11u);
     for (const auto &swimmers : {in_plane, in_space})
       for (const auto &swimmer : swimmers)
         expect_shares_of(swimmer);
