@@ -44,13 +44,21 @@ namespace swimtwin
       return points;
     }
 
-    /// Velocities in units in which L L^T is the identity, root mean square of a swimmer's own.
-    Eigen::VectorXd usual_velocities(const std::vector<ExploredPoint> &seen, const Eigen::MatrixXd &L)
+    /// What each entry of quadratic forces, in units in which L L^T is the identity, is worth: the power per value at
+    /// the swimmer's own velocities (root mean square).
+    Eigen::VectorXd usual_powers(const std::vector<ExploredPoint> &seen, const Eigen::MatrixXd &L)
     {
-      Eigen::ArrayXd squares = Eigen::ArrayXd::Zero(L.rows());
+      const Eigen::Index n       = L.rows();
+      Eigen::ArrayXd     squares = Eigen::ArrayXd::Zero(n);
       for (const ExploredPoint &point : seen)
         squares += (L.transpose() * point.velocity).array().square();
-      return (squares / static_cast<double>(seen.size())).sqrt();
+      const Eigen::ArrayXd velocity = (squares / static_cast<double>(seen.size())).sqrt();
+      Eigen::VectorXd      powers(n * n * (n + 1) / 2);
+      for (Eigen::Index i = 0, column = 0; i < n; ++i)
+        for (Eigen::Index j = 0; j < n; ++j)
+          for (Eigen::Index k = 0; k <= j; ++k)
+            powers(column++) = velocity(i) * velocity(j) * velocity(k);
+      return powers;
     }
 
     /// Samples as a table: a row of values each, the entries of M's factor first, and for each column whether it is
@@ -61,11 +69,10 @@ namespace swimtwin
       Eigen::VectorXd   weight;
       std::vector<char> is_odd;
       Eigen::Index      n_mass = 0; ///< columns of the factor
-      Eigen::VectorXd   power;      ///< of each further column per its value: what it is worth at usual velocities
 
       InertiaTable rows(const std::vector<int> &which) const
       {
-        return {z(which, Eigen::all), values(which, Eigen::all), weight(which), is_odd, n_mass, power};
+        return {z(which, Eigen::all), values(which, Eigen::all), weight(which), is_odd, n_mass};
       }
     };
 
@@ -97,7 +104,7 @@ namespace swimtwin
     }
 
     InertiaTable table_of(const InertiaSamples &samples, const std::vector<InertiaSample> &material,
-                          const SampledRegion &region, const Eigen::MatrixXd &L, const Eigen::VectorXd &velocity)
+                          const SampledRegion &region, const Eigen::MatrixXd &L)
     {
       const Eigen::MatrixXd L_mass = factor_at_rest(material.front().mass);
       const auto            m      = static_cast<Eigen::Index>(samples.points.size());
@@ -106,8 +113,7 @@ namespace swimtwin
                          Eigen::MatrixXd(m, (1 + n) * n_pairs),
                          Eigen::VectorXd(m),
                          {},
-                         n_pairs,
-                         Eigen::VectorXd(n * n_pairs)};
+                         n_pairs};
       for (Eigen::Index k = 0; k < m; ++k)
       {
         const auto at   = static_cast<std::size_t>(k);
@@ -120,10 +126,6 @@ namespace swimtwin
         for (int j = 0; j < n; ++j)
           for (int k = 0; k <= j; ++k)
             table.is_odd.push_back((i < 0 ? 1 : velocity_parity(i)) * velocity_parity(j) * velocity_parity(k) < 0);
-      for (Eigen::Index i = 0, column = 0; i < n; ++i)
-        for (Eigen::Index j = 0; j < n; ++j)
-          for (Eigen::Index k = 0; k <= j; ++k)
-            table.power(column++) = velocity(i) * velocity(j) * velocity(k);
       return table;
     }
 
@@ -153,7 +155,8 @@ namespace swimtwin
       double worse() const { return std::max(mass, quadratic); }
     };
 
-    InertiaFitQuality cross_validate(const Eigen::MatrixXi &exponents, const InertiaTable &table)
+    InertiaFitQuality cross_validate(const Eigen::MatrixXi &exponents, const InertiaTable &table,
+                                     const Eigen::VectorXd &power)
     {
       constexpr int   n_folds = 5;
       Eigen::VectorXd off = Eigen::VectorXd::Zero(2), all = off;
@@ -165,12 +168,12 @@ namespace swimtwin
         const InertiaTable    test = table.rows(held);
         const Eigen::MatrixXd wrong =
             test.weight.asDiagonal() * (design(exponents, test.z) * fit(exponents, table.rows(kept)) - test.values);
-        const Eigen::MatrixXd truth  = test.weight.asDiagonal() * test.values;
-        const auto            powers = [&table](const Eigen::MatrixXd &values) {
-          return (values.rightCols(table.power.size()) * table.power.asDiagonal()).squaredNorm();
+        const Eigen::MatrixXd truth    = test.weight.asDiagonal() * test.values;
+        const auto            in_power = [&power](const Eigen::MatrixXd &values) {
+          return (values.rightCols(power.size()) * power.asDiagonal()).squaredNorm();
         };
-        off += Eigen::Vector2d(wrong.leftCols(table.n_mass).squaredNorm(), powers(wrong));
-        all += Eigen::Vector2d(test.weight.squaredNorm(), powers(truth));
+        off += Eigen::Vector2d(wrong.leftCols(table.n_mass).squaredNorm(), in_power(wrong));
+        all += Eigen::Vector2d(test.weight.squaredNorm(), in_power(truth));
       }
       return {std::sqrt(off(0) / all(0)), std::sqrt(off(1) / all(1))};
     }
@@ -183,14 +186,15 @@ namespace swimtwin
 
     /// The smallest set that is good enough, beside the 4 % that a force of first order leaves, or nearly as good as
     /// the best.
-    ChosenFeatures choose_features(const std::vector<Eigen::MatrixXi> &sets, const InertiaTable &table)
+    ChosenFeatures choose_features(const std::vector<Eigen::MatrixXi> &sets, const InertiaTable &table,
+                                   const Eigen::VectorXd &power)
     {
       constexpr double               nearly = 1.15, good_enough = 0.015;
       std::vector<InertiaFitQuality> qualities;
       double                         best = std::numeric_limits<double>::infinity();
       for (const auto &set : sets)
       {
-        qualities.push_back(cross_validate(set, table));
+        qualities.push_back(cross_validate(set, table, power));
         best = std::min(best, qualities.back().worse());
       }
       std::size_t chosen = 0;
@@ -230,11 +234,11 @@ namespace swimtwin
     std::vector<Eigen::MatrixXd> edge;
     for (int k = 1; k <= region.n_variables(); ++k)
       edge.push_back(samples.fluid.at(static_cast<std::size_t>(k)).mass);
-    const Eigen::VectorXd effects   = variable_effects(samples.fluid.front().mass, edge);
-    const Eigen::VectorXd velocity  = usual_velocities(seen, L);
-    const InertiaTable    fluid     = table_of(samples, samples.fluid, region, L, velocity),
-                       tail         = table_of(samples, samples.tail, region, L, velocity);
-    const auto [exponents, quality] = choose_features(feature_sets(effects, fluid.z.rows()), fluid);
+    const Eigen::VectorXd effects = variable_effects(samples.fluid.front().mass, edge);
+    const InertiaTable    fluid   = table_of(samples, samples.fluid, region, L),
+                       tail       = table_of(samples, samples.tail, region, L);
+    const auto [exponents, quality] =
+        choose_features(feature_sets(effects, fluid.z.rows()), fluid, usual_powers(seen, L));
 
     TrainedInertia result;
     result.n_samples       = static_cast<int>(samples.points.size());

@@ -162,15 +162,6 @@ namespace swimtwin
       return z;
     }
 
-    /// Whether the fit to such monomials stays a resistance at z: its condition is nowhere more than some times that of
-    /// the worst sample.
-    bool is_sound_at(const Eigen::MatrixXd &z, const Eigen::MatrixXi &exponents, const SampleTable &table)
-    {
-      constexpr double      bound  = 4.;
-      const Eigen::MatrixXd fitted = design(exponents, z) * fit_coefficients(exponents, table);
-      return largest_condition(fitted, table.n) <= bound * largest_condition(table.entries, table.n);
-    }
-
     Eigen::MatrixXd inverse_factor(const Eigen::MatrixXd &A)
     {
       const Eigen::HouseholderQR<Eigen::MatrixXd> qr(A);
@@ -194,7 +185,7 @@ namespace swimtwin
       table.entries.row(k) = factor_entries(resistance_.factor_at_rest, samples[k].resistance).transpose();
     }
 
-    choose_features(feature_sets(effects, table.z.rows()), table, nearly);
+    fit_chosen_features(feature_sets(effects, table.z.rows()), table, nearly);
     const Eigen::MatrixXd A = table.weight.asDiagonal() * design(resistance_.exponents, table.z);
     for (const int odd : {0, 1})
     {
@@ -212,7 +203,6 @@ namespace swimtwin
       resistance_.usual_by_sine_m     = usual.by_sine_m;
       resistance_.usual_by_coordinate = usual.by_coordinate;
     }
-    resistance_.coefficients = fit_coefficients(resistance_.exponents, table);
     fit_halves(table);
   }
 
@@ -228,8 +218,8 @@ namespace swimtwin
     }
   }
 
-  void ResistanceFit::choose_features(const std::vector<Eigen::MatrixXi> &sets, const SampleTable &table,
-                                      const double nearly)
+  void ResistanceFit::fit_chosen_features(const std::vector<Eigen::MatrixXi> &sets, const SampleTable &table,
+                                          const double nearly)
   {
     std::vector<FitQuality> qualities;
     double                  best = std::numeric_limits<double>::infinity();
@@ -241,11 +231,18 @@ namespace swimtwin
     std::size_t chosen = 0;
     while (qualities[chosen].rms > nearly * best)
       ++chosen;
+    // Sound: nowhere beyond the samples is the condition more than some times that of the worst of them.
+    constexpr double      times  = 4.;
+    const double          bound  = times * largest_condition(table.entries, table.n);
     const Eigen::MatrixXd beyond = variables_beyond(region_);
-    while (chosen > 0 && !is_sound_at(beyond, sets[chosen], table))
-      --chosen;
-    quality_              = qualities[chosen];
-    resistance_.exponents = sets[chosen];
+    for (;; --chosen)
+    {
+      quality_                 = qualities[chosen];
+      resistance_.exponents    = sets[chosen];
+      resistance_.coefficients = fit_coefficients(sets[chosen], table);
+      if (chosen == 0 || largest_condition(design(sets[chosen], beyond) * resistance_.coefficients, table.n) <= bound)
+        return;
+    }
   }
 
   double ResistanceFit::leverage(const ShapePoint &point) const

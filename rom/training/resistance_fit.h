@@ -71,7 +71,7 @@ namespace swimtwin
     double velocity_error_at(const ResistanceSample &sample, const Eigen::VectorXd &velocity) const;
 
   private:
-    void choose_features(const std::vector<Eigen::MatrixXi> &sets, const SampleTable &table, double nearly);
+    void fit_chosen_features(const std::vector<Eigen::MatrixXi> &sets, const SampleTable &table, double nearly);
     void fit_halves(const SampleTable &table);
 
     SampledRegion                   region_;

@@ -19,7 +19,7 @@ namespace swimtwin
       return read_scene(datasets / "scenes/reference-2d-paper.toml", overrides);
     }
 
-    /// Displacements (m) with some terms of inertia: what bench/inertia measured for one swimmer.
+    /// Displacements (m) of one swimmer with some terms of inertia.
     struct MeasuredSwimmer
     {
       Scene                         scene;
@@ -29,44 +29,47 @@ namespace swimtwin
       double lost(const std::string &kept) const { return 1. - displacement_m.at(kept) / displacement_m.at("full"); }
     };
 
-    std::vector<MeasuredSwimmer> measured_in_plane()
+    /// The keys that a scene is set to by a table's columns.
+    struct TableKey
     {
-      const CsvTable table = CsvTable::read(datasets / "reference/inertia.csv");
-      const auto     M = table.column("magnetization_A_m"), mu = table.column("viscosity_Pa_s"),
-                 f = table.column("frequency_Hz"), displacement = table.column("displacement_m");
-      const auto                                                   terms = table.find_column("terms").value();
-      std::map<std::vector<double>, std::map<std::string, double>> found;
-      for (std::size_t i = 0; i < table.n_rows(); ++i)
-        found[{M[i], mu[i], f[i]}][table.cells(i)[terms]] = displacement[i];
+      const char *column, *key;
+    };
+    const std::vector<TableKey> keys_in_plane{{"magnetization_A_m", "head.magnetization_A_m"},
+                                              {"viscosity_Pa_s", "fluid.viscosity_Pa_s"},
+                                              {"frequency_Hz", "field.frequency_Hz"}};
+
+    std::vector<MeasuredSwimmer> measured(const std::string &table_name, const std::string &scene,
+                                          const std::vector<TableKey> &keys)
+    {
+      const CsvTable table = CsvTable::read(datasets / "reference" / table_name);
+      const auto     terms = table.find_column("terms").value();
+      std::map<std::vector<std::string>, std::map<std::string, double>> found;
+      for (std::size_t row = 0; row < table.n_rows(); ++row)
+      {
+        std::vector<std::string> overrides{"fluid.inertia=auto"};
+        for (const auto &[column, key] : keys)
+          overrides.push_back(std::string(key) + "=" + table.cells(row)[table.find_column(column).value()]);
+        found[overrides][table.cells(row)[terms]] = table.number(row, "displacement_m").value();
+      }
       std::vector<MeasuredSwimmer> swimmers;
-      for (const auto &[at, measured] : found)
-        swimmers.push_back({reference({"head.magnetization_A_m=" + std::to_string(at[0]),
-                                       "fluid.viscosity_Pa_s=" + std::to_string(at[1]),
-                                       "field.frequency_Hz=" + std::to_string(at[2])}),
-                            measured});
+      for (const auto &[overrides, displacement_m] : found)
+        swimmers.push_back({read_scene(datasets / "scenes" / scene, overrides), displacement_m});
       return swimmers;
     }
 
-    /// The same of bench/three-dimensions/inertia.
+    /// What bench/inertia measured.
+    std::vector<MeasuredSwimmer> measured_in_plane()
+    {
+      return measured("inertia.csv", "reference-2d-paper.toml", keys_in_plane);
+    }
+
+    /// What bench/three-dimensions/inertia measured.
     std::vector<MeasuredSwimmer> measured_in_space()
     {
-      const CsvTable table = CsvTable::read(datasets / "reference/inertia-3d.csv");
-      const auto     E = table.column("young_modulus_Pa"), M = table.column("magnetization_A_m"),
-                 mu = table.column("viscosity_Pa_s"), f = table.column("frequency_Hz"),
-                 steps = table.column("steps_per_period"), displacement = table.column("displacement_m");
-      const auto                                                   terms = table.find_column("terms").value();
-      std::map<std::vector<double>, std::map<std::string, double>> found;
-      for (std::size_t i = 0; i < table.n_rows(); ++i)
-        found[{E[i], M[i], mu[i], f[i], steps[i]}][table.cells(i)[terms]] = displacement[i];
-      std::vector<MeasuredSwimmer> swimmers;
-      for (const auto &[at, measured] : found)
-        swimmers.push_back({read_scene(datasets / "scenes/reference-3d-paper.toml",
-                                       {"fluid.inertia=auto", "tail.young_modulus_Pa=" + std::to_string(at[0]),
-                                        "head.magnetization_A_m=" + std::to_string(at[1]),
-                                        "fluid.viscosity_Pa_s=" + std::to_string(at[2]),
-                                        "field.frequency_Hz=" + std::to_string(at[3])}),
-                            measured});
-      return swimmers;
+      auto keys = keys_in_plane;
+      keys.push_back({"young_modulus_Pa", "tail.young_modulus_Pa"});
+      keys.push_back({"steps_per_period", "time.steps_per_period"});
+      return measured("inertia-3d.csv", "reference-3d-paper.toml", keys);
     }
 
     /// An estimate may be too large, up to twice: it costs a few per cent of the time. Too small it would cost the

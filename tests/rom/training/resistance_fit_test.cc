@@ -1,11 +1,14 @@
 #include <rom/training/resistance_fit.h>
 
+#include <rom/swimmer/dense_algebra.h>
 #include <rom/swimmer/resistance_surrogate.h>
 #include <rom/training/sampled_shapes.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace swimtwin
 {
@@ -108,6 +111,35 @@ namespace swimtwin
       const Eigen::MatrixXd truth = in_channel(point), R = surrogate.resistance(point.q, point.angle_rad, height_m);
       EXPECT_LT((R - truth).norm(), 2e-3 * truth.norm()) << drift_m;
     }
+  }
+
+  // Runge's function: high degrees fit it best within the samples, and run away beyond them.
+  TEST_F(ResistanceFitTest, StaysSoundBeyondTheSamples)
+  {
+    const auto stiffened = [&](const Eigen::VectorXd &z) {
+      Eigen::MatrixXd S = Eigen::MatrixXd::Identity(5, 5);
+      S(1, 1)           = std::exp(1. / (1. + 9. * z(0) * z(0)));
+      return Eigen::MatrixXd(S * resistance(z) * S);
+    };
+    std::vector<ResistanceSample> runge;
+    for (const auto &sample : sampled(400))
+      runge.push_back({sample.point, stiffened(region.variables(sample.point))});
+    const ReducedResistance   fitted = ResistanceFit(runge, region, Eigen::Vector2d(.7, .1)).resistance();
+    const ResistanceSurrogate surrogate(fitted, Eigen::Vector2i(-1, -1));
+    const auto                condition = [&](const Eigen::MatrixXd &R) {
+      const Eigen::VectorXd values = symmetric_eigenvalues(seen_from(fitted.factor_at_rest, R));
+      return values.maxCoeff() / values.minCoeff();
+    };
+    double in_samples = 1., beyond = 1.;
+    for (const auto &sample : runge)
+      in_samples = std::max(in_samples, condition(sample.resistance));
+    for (int k = 0; k < 360; ++k)
+    {
+      const double          angle = k * std::numbers::pi / 180.;
+      const Eigen::Vector2d q     = 1.5 * Eigen::Vector2d(std::cos(angle) * 1e-3, std::sin(angle) * 1e-4);
+      beyond                      = std::max(beyond, condition(surrogate.resistance(q, 0.)));
+    }
+    EXPECT_LT(beyond, 10. * in_samples);
   }
 
   TEST_F(ResistanceFitTest, LeverageGrowsAwayFromTheSamples)
