@@ -62,8 +62,9 @@ namespace swimtwin
     InertiaTerms carried_by(const CalibrateCommand &command, const CalibrationInput &input)
     {
       const std::string inertia = command.inertia.empty() ? inertia_of_data(input.sets) : command.inertia;
-      const Scene       scene   = scene_with_inertia(input.model, inertia);
-      return carried_inertia(scene, input.model, command.model, inertia, extreme_of(scene, input.sets));
+      require_inertia(input.model, command.model, inertia);
+      const Scene scene = scene_with_inertia(input.model, inertia);
+      return carried_inertia(scene, input.model, extreme_of(scene, input.sets));
     }
 
     /// A refinement needs some, spread over the frequencies.

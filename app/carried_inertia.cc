@@ -1,56 +1,88 @@
 #include <app/carried_inertia.h>
 
-#include <datasets/scene/dimensionless_groups.h>
 #include <datasets/system/error.h>
+#include <reports/page/number_text.h>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace swimtwin
 {
-  double InertialExtreme::group(const Scene &scene) const
+  namespace
   {
-    return unsteady_group(scene, frequency_Hz, viscosity_Pa_s);
-  }
+    /// Largest unsteady group that is computed without being asked for, and share that is not warned of.
+    constexpr double largest_unsteady_group = 2., noticed_share = 0.01;
+    /// Largest error of displacements with inertia that is computed without being asked for.
+    constexpr double largest_carried_error = 0.05;
 
-  double InertialExtreme::group_of_domain(const Scene &scene) const
-  {
-    return unsteady_group_of_domain(scene, frequency_Hz, viscosity_Pa_s);
-  }
+    std::string place_of(const Scene &scene, const InertialExtreme &extreme)
+    {
+      return fmt::format("at {:.4g} Hz, {:.4g} Pa s and {:.4g} Pa the unsteady group 2 pi rho f L^2 / mu is {:.3g}",
+                         extreme.frequency_Hz, extreme.viscosity_Pa_s, extreme.young_modulus_Pa, extreme.group(scene));
+    }
 
-  InertiaShares InertialExtreme::shares(const Scene &scene) const
-  {
-    return inertia_shares(scene, frequency_Hz, viscosity_Pa_s, young_modulus_Pa);
-  }
-
-  Scene scene_with_inertia(const ReducedModel &model, const std::string &inertia)
-  {
-    std::vector<std::string> overrides;
-    if (!inertia.empty())
-      overrides.push_back("fluid.inertia=" + inertia);
-    return parse_scene(model.scene_text, model.scene_name + ".toml", overrides);
-  }
-
-  InertiaTerms carried_inertia(const Scene &scene, const ReducedModel &model, const std::string &model_name,
-                               const std::string &inertia, const InertialExtreme &extreme)
-  {
-    if (!model.inertia.is_given() && inertia == "full")
-      throw InputError(
-          fmt::format("--inertia full: {} was trained without inertia; train it again with [fluid] inertia "
-                      "= \"auto\" or \"full\", or leave --inertia out.",
-                      model_name));
-    if (!model.inertia.is_given())
-      return {};
-    const InertiaTerms terms = inertia_terms(scene, extreme.shares(scene));
-    if (scene.fluid->inertia == Inertia::automatic && terms.any())
-      return {.unsteady = true, .convective = true, .tail = true, .head = true}; // all cost the same as one
-    return terms;
-  }
+    /// Of what is left out.
+    double missed_share(InertiaShares shares, const InertiaTerms &carried)
+    {
+      if (carried.of_fluid())
+        shares.fluid = 0.;
+      if (carried.tail)
+        shares.tail = 0.;
+      if (carried.head)
+        shares.head = 0.;
+      return shares.together();
+    }
+  } // namespace
 
   void add_inertia_option(CLI::App &verb, std::string &inertia)
   {
     verb.add_option("--inertia", inertia, "none, auto or full, in the place of the scene's [fluid] inertia")
         ->check(CLI::IsMember({"none", "auto", "full"}))
         ->take_last();
+  }
+
+  void add_inertia_options(CLI::App &verb, InertiaChoice &choice)
+  {
+    add_inertia_option(verb, choice.inertia);
+    verb.add_flag("--allow-inertia", choice.allowed,
+                  "Compute where the neglected inertia is not small, too, or where the fluid's is carried too far");
+  }
+
+  void require_inertia(const ReducedModel &model, const std::string &model_name, const std::string &inertia)
+  {
+    if (!model.inertia.is_given() && inertia == "full")
+      throw InputError(
+          fmt::format("--inertia full: {} was trained without inertia; train it again with [fluid] inertia "
+                      "= \"auto\" or \"full\", or leave --inertia out.",
+                      model_name));
+  }
+
+  std::string inertia_doubt(const Scene &scene, const InertiaTerms &carried, const InertialExtreme &extreme,
+                            const bool allowed, const std::string &remedy)
+  {
+    constexpr const char *all_the_same = "or say --allow-inertia to compute all the same.";
+    const InertiaShares   shares       = extreme.shares(scene);
+    const std::string     place        = place_of(scene, extreme);
+    if (const double error = error_of_carried_inertia(shares.together(), extreme.group_of_domain(scene));
+        carried.of_fluid() && error > noticed_share)
+    {
+      const std::string far = fmt::format(
+          "{}, inertia is an estimated {:.2g} % of the displacement, and the reduced swimmer knows it to some {:.2g} % "
+          "of the displacement",
+          place, 100. * shares.together(), 100. * error);
+      if (error > largest_carried_error && !allowed)
+        throw InputError(fmt::format("{}; {}, {}", far, remedy, all_the_same));
+      return far;
+    }
+    const double missed = missed_share(shares, carried);
+    if (missed <= noticed_share)
+      return {};
+    const std::string finding =
+        fmt::format("{}, and the reduced swimmer neglects {}, {}", place,
+                    carried.any() ? "part of the inertia" : "inertia", share_of_displacement(missed));
+    if (extreme.group(scene) > largest_unsteady_group && !allowed)
+      throw InputError(fmt::format("{}: above {} its displacements are wrong; {}, {}", finding, largest_unsteady_group,
+                                   remedy, all_the_same));
+    return finding + ": do not trust more than the digits that this leaves";
   }
 } // namespace swimtwin

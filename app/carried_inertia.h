@@ -1,8 +1,7 @@
-// Which inertia a study on a reduced model carries.
+// Options on the inertia that a study on a reduced model carries, and doubts about it.
 #pragma once
 
-#include <datasets/reduced/reduced_model.h>
-#include <datasets/scene/inertia_terms.h>
+#include <rom/swimmer/carried_inertia.h>
 
 #include <string>
 
@@ -13,24 +12,23 @@ namespace CLI
 
 namespace swimtwin
 {
-  /// The member of a study that needs inertia most.
-  struct InertialExtreme
+  /// As typed.
+  struct InertiaChoice
   {
-    double frequency_Hz, viscosity_Pa_s, young_modulus_Pa;
-
-    double        group(const Scene &scene) const;
-    double        group_of_domain(const Scene &scene) const;
-    InertiaShares shares(const Scene &scene) const;
+    std::string inertia;         ///< "none", "auto", "full"; empty: as the scene has it
+    bool        allowed = false; ///< inertia that is left out or carried too far
   };
-
-  /// The model's scene with `inertia` ("none", "auto", "full"; empty: its own) in the place of [fluid] inertia.
-  Scene scene_with_inertia(const ReducedModel &model, const std::string &inertia);
-
-  /// What of the inertia all members carry: what the scene asks for, as far as the model has it. "auto" keeps all of it
-  /// as soon as one of them needs a term. Throws InputError for `inertia` = "full" and a model that has none.
-  InertiaTerms carried_inertia(const Scene &scene, const ReducedModel &model, const std::string &model_name,
-                               const std::string &inertia, const InertialExtreme &extreme);
 
   /// Option --inertia of a verb.
   void add_inertia_option(CLI::App &verb, std::string &inertia);
+  /// And --allow-inertia.
+  void add_inertia_options(CLI::App &verb, InertiaChoice &choice);
+
+  /// Throws InputError for "full" and a model that has none.
+  void require_inertia(const ReducedModel &model, const std::string &model_name, const std::string &inertia);
+
+  /// One sentence on inertia that is left out, or carried too far, where the error is not small; else empty. Throws
+  /// InputError where the model cannot be right, with the remedy ("lower ..."), unless that is allowed.
+  std::string inertia_doubt(const Scene &scene, const InertiaTerms &carried, const InertialExtreme &extreme,
+                            bool allowed, const std::string &remedy);
 } // namespace swimtwin

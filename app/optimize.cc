@@ -73,7 +73,7 @@ namespace swimtwin
     /// At a field between the reference sinusoid and none of its symmetries.
     void check_and_print(const ReducedModel &model, const GoalFile &file, const Drive &reference)
     {
-      const ReducedSwimmer  swimmer(model);
+      const ReducedSwimmer  swimmer(model, inertial_densities(model, file.goal.inertia));
       const FieldVariables  variables(file.goal.n_harmonics, file.goal.family);
       const Eigen::VectorXd scale = field_box(variables, file.goal).scale;
       Eigen::VectorXd       x     = variables.variables(reference);
@@ -83,10 +83,11 @@ namespace swimtwin
     }
 
     /// Periods enough to see the drift.
-    void write_motions(const ReducedModel &model, const PlanResult &plan, const std::filesystem::path &folder)
+    void write_motions(const ReducedModel &model, const InertiaTerms &inertia, const PlanResult &plan,
+                       const std::filesystem::path &folder)
     {
       constexpr int        periods = 6, samples = 60;
-      const ReducedSwimmer swimmer(model);
+      const ReducedSwimmer swimmer(model, inertial_densities(model, inertia));
       SwimmerIntegrator    integrator(swimmer, {});
       std::filesystem::create_directories(folder);
       for (const PlannedField &field : plan.fields)
@@ -158,6 +159,18 @@ namespace swimtwin
       Refinement                      refinement;
     };
 
+    /// Of the inertia at the frequency that was found.
+    void warn_of_inertia(const Scene &scene, const SwimmingGoal &goal, PlanResult &plan)
+    {
+      const PlannedField *best = plan.find(optimal_field_name);
+      if (!best || !best->moves)
+        return;
+      const std::string doubt =
+          inertia_doubt(scene, goal.inertia, extreme_of(goal.swimmer, best->frequency_Hz), true, "");
+      if (!doubt.empty())
+        plan.warnings.push_back(doubt);
+    }
+
     PlanResult make_plan(const OptimizeCommand &command, const PlanInput &input)
     {
       const auto &[model, scene, file, warnings, refinement] = input;
@@ -166,11 +179,13 @@ namespace swimtwin
         file.options.on_progress = [](const std::string &what) { say("  searching: {}\n", what); };
       PlanResult plan = plan_field(model, file.goal, reference_drive(scene), file.options, members_of(file.goal));
       plan.warnings.insert(plan.warnings.begin(), warnings.begin(), warnings.end());
+      warn_of_inertia(scene, file.goal, plan);
       plan.scene_name        = model.scene_name;
       plan.goal_text         = file.text;
       plan.young_modulus_Pa  = file.goal.swimmer.young_modulus_Pa;
       plan.viscosity_Pa_s    = file.goal.swimmer.viscosity_Pa_s;
       plan.magnetization_A_m = file.goal.swimmer.magnetization_A_m;
+      plan.inertia           = names_of(file.goal.inertia);
       plan.sample_rate_Hz    = file.sample_rate_Hz;
       plan.provenance        = {current_program_version, command.common.command_line, scene.text, scene.hash,
                                 utc_time_now(),          plan.search_time_s};
@@ -241,6 +256,15 @@ namespace swimtwin
       return plan;
     }
 
+    /// All of it that the goal's highest frequency needs. Refused is what cannot be right at the lowest.
+    void choose_inertia(const OptimizeCommand &command, const ReducedModel &model, const Scene &scene,
+                        SwimmingGoal &goal)
+    {
+      goal.inertia = carried_inertia(scene, model, extreme_of(goal.swimmer, goal.frequency_Hz.high));
+      inertia_doubt(scene, goal.inertia, extreme_of(goal.swimmer, goal.frequency_Hz.low), command.inertia.allowed,
+                    "lower [limits] frequency_low_Hz or raise [swimmer] viscosity_Pa_s");
+    }
+
     void optimize_in_folder(const OptimizeCommand &command, const PlanInput &input)
     {
       const CommonOptions &common = command.common;
@@ -253,7 +277,7 @@ namespace swimtwin
       const ReducedModel &model = by.model;
       if (!is_speaker())
         return;
-      write_motions(model, plan, common.output / motion_folder_name);
+      write_motions(model, input.file.goal.inertia, plan, common.output / motion_folder_name);
       write_field(common, plan);
       write_plan_result(common.output / plan_name, plan);
       draw_and_write_page(command, read_plan(common.output));
@@ -264,8 +288,10 @@ namespace swimtwin
   void optimize_and_report(const OptimizeCommand &command)
   {
     const ReducedModel model = read_reduced_model(find_model(command.model));
-    const Scene        scene = parse_scene(model.scene_text, model.scene_name + ".toml");
-    GoalFile           file  = read_goal(command.goal, model);
+    require_inertia(model, command.model, command.inertia.inertia);
+    const Scene scene = scene_with_inertia(model, command.inertia.inertia);
+    GoalFile    file  = read_goal(command.goal, model);
+    choose_inertia(command, model, scene, file.goal);
     if (is_speaker())
       require_borne_model_error(model, command.model, command.accepts_model_error);
     if (command.check_gradients && is_speaker())
@@ -301,6 +327,7 @@ namespace swimtwin
         ->check(CLI::Range(20, 100000))
         ->capture_default_str();
     add_refine_options(*verb, command->refine);
+    add_inertia_options(*verb, command->inertia);
     verb->add_option("--trade-off", command->trade_off,
                      "Plan for these bounds on the Floquet multiplier too: a list or a range, as in sweep")
         ->type_name("VALUES");

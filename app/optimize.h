@@ -1,6 +1,7 @@
 // A plan from files to files, for the verbs that make one.
 #pragma once
 
+#include <app/carried_inertia.h>
 #include <app/full_order/field_replay.h>
 #include <app/refinement.h>
 #include <app/verb.h>
@@ -13,6 +14,7 @@ namespace swimtwin
     std::string   model, goal, trade_off;
     ReplayOptions replay;
     RefineOptions refine;
+    InertiaChoice inertia;
     int           n_threads   = 0;
     bool          with_replay = false, check_gradients = false, no_picture = false;
     bool          accepts_model_error = false; ///< above what a result may rest on

@@ -31,20 +31,15 @@ namespace swimtwin
 {
   namespace
   {
-    /// Largest unsteady group that is computed without being asked for, and that is not warned of.
-    constexpr double largest_unsteady_group = 2., noticed_share = 0.01;
-    /// Largest error of displacements with inertia that is computed without being asked for.
-    constexpr double largest_carried_error = 0.05;
-
     struct SweepCommand
     {
       CommonOptions common;
       std::string   model;
-      std::string   inertia; ///< "none", "auto", "full"; empty: as the scene has it
+      InertiaChoice inertia;
       std::string   frequency, young_modulus, viscosity, magnetization, bx, by; ///< as typed; empty: the scene's own
       int           n_modes = 0, n_threads = 0;
       double        relative_tolerance = IntegratorOptions().relative_tolerance;
-      bool          allow_inertia = false, no_picture = false;
+      bool          no_picture         = false;
     };
 
     std::vector<double> values(const char *option, const std::string &text, const ValueRule rule, const bool given)
@@ -86,50 +81,6 @@ namespace swimtwin
       return {largest(axes.frequency_Hz, base.drive.frequency_Hz),
               smallest(axes.viscosity_Pa_s, base.parameters.viscosity_Pa_s),
               largest(axes.young_modulus_Pa, base.parameters.young_modulus_Pa)};
-    }
-
-    /// Inertia that is left out, or carried too far: refuse where the model cannot be right, warn where the error is
-    /// not small.
-    std::string inertia_doubt(const Scene &scene, const InertiaTerms &carried, const InertialExtreme &extreme,
-                              const bool allowed)
-    {
-      const double  group  = extreme.group(scene);
-      InertiaShares shares = extreme.shares(scene);
-      if (carried.of_fluid())
-        shares.fluid = 0.;
-      if (carried.tail)
-        shares.tail = 0.;
-      if (carried.head)
-        shares.head = 0.;
-      const double share                          = shares.together();
-      const auto &[frequency, viscosity, modulus] = extreme;
-      if (const double error =
-              error_of_carried_inertia(extreme.shares(scene).together(), extreme.group_of_domain(scene));
-          carried.of_fluid() && error > noticed_share)
-      {
-        const std::string far = fmt::format(
-            "at {:.4g} Hz, {:.4g} Pa s and {:.4g} Pa the unsteady group 2 pi rho f L^2 / mu is {:.3g}, inertia is an "
-            "estimated {:.2g} % of the displacement, and the reduced swimmer knows it to some {:.2g} % of the "
-            "displacement",
-            frequency, viscosity, modulus, group, 100. * extreme.shares(scene).together(), 100. * error);
-        if (error > largest_carried_error && !allowed)
-          throw InputError(far + "; lower --frequency or raise --viscosity, or say --allow-inertia to compute them all "
-                                 "the same.");
-        return far;
-      }
-      if (share <= noticed_share)
-        return {};
-      const std::string finding = fmt::format(
-          "at {:.4g} Hz, {:.4g} Pa s and {:.4g} Pa the unsteady group 2 pi rho f L^2 / mu is {:.3g}, and the "
-          "reduced swimmer neglects {}, {}",
-          frequency, viscosity, modulus, group, carried.any() ? "part of the inertia" : "inertia",
-          share_of_displacement(share));
-      if (group > largest_unsteady_group && !allowed)
-        throw InputError(
-            fmt::format("{}: above {} its displacements are wrong; lower --frequency or raise --viscosity, or "
-                        "say --allow-inertia to compute them all the same.",
-                        finding, largest_unsteady_group));
-      return finding + ": do not trust more than the digits that this leaves";
     }
 
     std::size_t n_outside(const std::vector<SweepResult> &results)
@@ -206,12 +157,15 @@ namespace swimtwin
     SweepSetup set_up(const SweepCommand &command, const SweepAxes &axes)
     {
       SweepSetup setup{load_model(command), {}, {}, {}};
-      setup.scene                   = scene_with_inertia(setup.model, command.inertia);
+      const auto &[inertia, allowed] = command.inertia;
+      require_inertia(setup.model, command.model, inertia);
+      setup.scene                   = scene_with_inertia(setup.model, inertia);
       setup.options                 = options_of(command, setup.scene, setup.model);
       const InertialExtreme extreme = extreme_of(axes, setup.options.base);
-      const InertiaTerms    terms = carried_inertia(setup.scene, setup.model, command.model, command.inertia, extreme);
-      setup.options.densities     = inertial_densities(setup.scene, terms);
-      const std::string doubt     = inertia_doubt(setup.scene, terms, extreme, command.allow_inertia);
+      const InertiaTerms    terms   = carried_inertia(setup.scene, setup.model, extreme);
+      setup.options.densities       = inertial_densities(setup.scene, terms);
+      const std::string doubt =
+          inertia_doubt(setup.scene, terms, extreme, allowed, "lower --frequency or raise --viscosity");
       if (!doubt.empty())
         setup.record.warnings.push_back(doubt);
       return setup;
@@ -312,9 +266,7 @@ namespace swimtwin
         ->capture_default_str();
     verb->add_option("--threads", command->n_threads, "Number of threads; 0: as many as there are cores")
         ->check(CLI::Range(0, 4096));
-    add_inertia_option(*verb, command->inertia);
-    verb->add_flag("--allow-inertia", command->allow_inertia,
-                   "Compute where the neglected inertia is not small, too, or where the fluid's is carried too far");
+    add_inertia_options(*verb, command->inertia);
     add_output_options(*verb, command->common, OutputFolder::required);
     command->common.command_line = command_line;
     return [command, verb] {

@@ -40,16 +40,28 @@ namespace swimtwin
 
     void add_replay(const TrackCommand &command, const ReducedModel &model, TargetRecord &record)
     {
-      const auto plant = make_full_order_plant(
-          model, {record.goal.steps_per_second, record.way.plan.carrier.frequency_Hz, command.refine.is_asked_for()});
+      const auto plant =
+          make_full_order_plant(model, {record.goal.steps_per_second, record.way.plan.carrier.frequency_Hz,
+                                        command.refine.is_asked_for(), record.goal.inertia});
       record.replay = swim_to_target(*plant, record.way.plan, record.way.n_periods, record.goal.target_m);
       if (command.refine.is_asked_for())
         plant->write_snapshots(command.common.output / replay_snapshots_name);
     }
 
+    /// At the frequency that was found.
+    void warn_of_inertia(const TrackCommand &command, const ReducedModel &model, TargetRecord &record)
+    {
+      const std::string doubt =
+          inertia_doubt(scene_with_inertia(model, command.inertia.inertia), record.goal.inertia,
+                        extreme_of(record.goal.swimmer, record.way.plan.carrier.frequency_Hz), command.inertia.allowed,
+                        "lower [target] frequency_high_Hz or raise [swimmer] viscosity_Pa_s");
+      if (!doubt.empty())
+        record.warnings.push_back(doubt);
+    }
+
     void reach_with(const TrackCommand &command, const RefinedModel &by, TargetRecord &record)
     {
-      const ReducedSwimmer swimmer(by.model);
+      const ReducedSwimmer swimmer(by.model, inertial_densities(by.model, record.goal.inertia));
       record.way        = fastest_way(swimmer, record.goal.swimmer, record.goal.carrier, record.goal.start,
                                       record.goal.target_m, record.goal.options);
       record.model_file = by.file.string();
@@ -58,6 +70,7 @@ namespace swimtwin
       record.replay.reset();
       if (!record.way.found())
         return;
+      warn_of_inertia(command, by.model, record);
       add_swim(swimmer, record);
       if (command.has_replay())
         add_replay(command, by.model, record);
@@ -142,7 +155,8 @@ namespace swimtwin
     require_borne_model_error(model, command.model, command.accepts_model_error);
     const Refinement refinement(command.refine);
     TargetRecord     record;
-    record.goal          = read_target_goal(command.goal, model);
+    require_inertia(model, command.model, command.inertia.inertia);
+    record.goal          = read_target_goal(command.goal, model, command.inertia.inertia);
     record.body_length_m = ReducedSwimmer(model).length_m();
     if (command.has_replay())
       require_full_order_model(command.reason_for_replay(), RanksAtWork::this_one);

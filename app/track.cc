@@ -40,7 +40,8 @@ namespace swimtwin
                                                      const bool remembers_shapes)
     {
       require_whole_steps(goal);
-      return make_full_order_plant(model, {goal.steps_per_second, goal.carrier.frequency_Hz, remembers_shapes});
+      return make_full_order_plant(model,
+                                   {goal.steps_per_second, goal.carrier.frequency_Hz, remembers_shapes, goal.inertia});
     }
 
     std::unique_ptr<Plant> make_plant(const ReducedModel &model, const ReducedSwimmer &swimmer,
@@ -117,7 +118,7 @@ namespace swimtwin
     /// Plan or loop, and the replay of a plan if one is asked for.
     void track_with(const TrackCommand &command, const RefinedModel &by, TrackRecord &record)
     {
-      const ReducedSwimmer swimmer(by.model);
+      const ReducedSwimmer swimmer(by.model, inertial_densities(by.model, record.goal.inertia));
       record.result        = swim(by.model, swimmer, record.goal);
       record.body_length_m = swimmer.length_m();
       record.model_file    = by.file.string();
@@ -145,6 +146,13 @@ namespace swimtwin
       };
       const RefinementReport report = refine_in_use(refinement, by, command.common, use);
       report.add_to(record); // to the last one
+    }
+
+    std::string doubt_of(const TrackCommand &command, const ReducedModel &model, const TrackingGoal &goal)
+    {
+      return inertia_doubt(scene_with_inertia(model, command.inertia.inertia), goal.inertia,
+                           extreme_of(goal.believed, goal.carrier.frequency_Hz), command.inertia.allowed,
+                           "lower [carrier] frequency_Hz or raise [swimmer] viscosity_Pa_s");
     }
 
     void track_in_folder(const TrackCommand &command, const Refinement &refinement, RefinedModel by,
@@ -184,7 +192,10 @@ namespace swimtwin
     require_borne_model_error(model, command.model, command.accepts_model_error);
     const Refinement refinement(command.refine);
     TrackRecord      record;
-    record.goal = read_tracking_goal(command.goal, model);
+    require_inertia(model, command.model, command.inertia.inertia);
+    record.goal = read_tracking_goal(command.goal, model, command.inertia.inertia);
+    if (const std::string doubt = doubt_of(command, model, record.goal); !doubt.empty())
+      record.warnings.push_back(doubt);
     if (record.goal.plant == PlantKind::external)
       throw InputError(
           fmt::format("{}: [loop] plant = \"external\" is a laboratory, which is steered by what is seen of "
@@ -218,6 +229,7 @@ namespace swimtwin
     verb->add_flag("--replay", command->with_replay,
                    "Play the plan of a path or to a target blindly on the full-order model too");
     add_refine_options(*verb, command->refine);
+    add_inertia_options(*verb, command->inertia);
     verb->add_flag("--no-picture", command->no_picture, "Draw nothing");
     verb->add_flag(accept_model_error, command->accepts_model_error, accept_model_error_help);
     command->common.command_line = command_line;

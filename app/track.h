@@ -1,6 +1,7 @@
 // Goals of the kinds "path" and "closed-loop": swim along a path, with files and pictures.
 #pragma once
 
+#include <app/carried_inertia.h>
 #include <app/refinement.h>
 #include <app/verb.h>
 
@@ -11,6 +12,7 @@ namespace swimtwin
     CommonOptions common;
     std::string   model, goal;
     RefineOptions refine;
+    InertiaChoice inertia;
     bool          with_replay         = false; ///< play the plan of a path blindly on the full-order model too
     bool          no_picture          = false;
     bool          accepts_model_error = false; ///< above what a result may rest on

@@ -6,6 +6,7 @@
 #include <datasets/system/error.h>
 #include <datasets/scene/field_program_writer.h>
 #include <datasets/files/output_folder.h>
+#include <datasets/scene/inertia_terms.h>
 #include <datasets/scene/scene_field.h>
 #include <fom/run/simulation.h>
 #include <reports/plan/plan_files.h>
@@ -30,7 +31,7 @@ namespace swimtwin
                           fmt::format("tail.young_modulus_Pa={:.17g}", plan.young_modulus_Pa),
                           fmt::format("fluid.viscosity_Pa_s={:.17g}", plan.viscosity_Pa_s),
                           "output.snapshots_per_period=30", // to refine the model with
-                          "fluid.inertia=none", // as the reduced swimmer: the comparison is about everything else
+                          inertia_override(plan.inertia),   // as the reduced swimmer: the comparison is about the rest
                           fmt::format("time.periods={:.1f}", double(options.periods)),
                           fmt::format("time.steps_per_period={}", options.steps_per_period)});
     }
@@ -48,19 +49,19 @@ namespace swimtwin
                                const CommonOptions &common, const ReplayOptions &options)
     {
       constexpr int               settled_after = 2; // periods
-      const ReducedSwimmer        swimmer(model);
-      const Drive                 drive  = drive_of(field);
-      const std::filesystem::path folder = common.output / replay_folder_name(field.name);
-      const std::filesystem::path file   = folder / "field.csv";
-      const double samples_per_s         = options.steps_per_period * drive.frequency_Hz; // the steps' own instants
+      const Drive                 drive         = drive_of(field);
+      const std::filesystem::path folder        = common.output / replay_folder_name(field.name);
+      const std::filesystem::path file          = folder / "field.csv";
+      const double samples_per_s = options.steps_per_period * drive.frequency_Hz; // the steps' own instants
       agree([&] {
         std::filesystem::create_directories(folder);
         write_field_program(file, sampled_program(drive, samples_per_s), field.name + ", as it was replayed");
       });
       ReplayedField replayed;
-      replayed.name            = field.name;
-      Scene      scene         = replay_scene(model, plan, file, 1. / drive.frequency_Hz, 0., options);
-      RunRequest run           = request_of(scene, drive, options);
+      replayed.name              = field.name;
+      Scene                scene = replay_scene(model, plan, file, 1. / drive.frequency_Hz, 0., options);
+      RunRequest           run   = request_of(scene, drive, options);
+      const ReducedSwimmer swimmer(model, inertial_densities(scene, inertia_terms(scene)));
       replayed.start_angle_rad = settled_start_angle_rad(swimmer, run, start_of(field), settled_after);
       run.initial_state        = state_at_rest(swimmer, replayed.start_angle_rad);
       replayed.reduced_displacement_m =

@@ -1,6 +1,6 @@
 #include <app/full_order/full_order_plant.h>
-#include <app/carried_inertia.h>
 #include <app/full_order/steered_swimmer.h>
+#include <datasets/scene/inertia_terms.h>
 #include <datasets/system/provenance.h>
 #include <fom/run/run_recorder.h>
 
@@ -57,7 +57,8 @@ namespace swimtwin
 
   std::unique_ptr<FullOrderPlant> make_full_order_plant(const ReducedModel &model, const FullOrderPlantOptions &options)
   {
-    const Scene scene = scene_with_inertia(model, "none");
+    const Scene scene =
+        parse_scene(model.scene_text, model.scene_name + ".toml", {inertia_override(names_of(options.inertia))});
     if (scene.dimension == 3)
       return std::make_unique<SteeredPlant<3>>(scene, options);
     return std::make_unique<SteeredPlant<2>>(scene, options);

@@ -24,13 +24,6 @@ namespace swimtwin
       overrides.push_back(fmt::format("{}=[{:.17g}, {:.17g}]", key, scale * pair[0], scale * pair[1]));
     }
 
-    /// [fluid] inertia of what a fit carried.
-    std::string inertia(const InertiaTerms &carried)
-    {
-      return carried.any() ? fmt::format("fluid.inertia=[\"{}\"]", fmt::join(names_of(carried), "\", \""))
-                           : "fluid.inertia=none";
-    }
-
     Overrides physics(const CalibratedSwimmer &swimmer)
     {
       Overrides overrides;
@@ -105,7 +98,7 @@ namespace swimtwin
     const Scene                 scene     = parse_scene(model.scene_text, model.scene_name + ".toml");
     std::string                 text      = model.scene_text;
     Overrides                   overrides = physics(swimmer);
-    overrides.push_back(inertia(carried));
+    overrides.push_back(inertia_override(names_of(carried)));
     if (is_sinusoidal(data.field))
     {
       set_field(overrides, data.field, swimmer.field_scale);
@@ -142,7 +135,8 @@ namespace swimtwin
     set(overrides, "field.frequency_Hz", 1. / field.period_s());
     overrides.push_back(fmt::format("time.periods={}", period.value()));
     overrides.push_back("output.snapshots_per_period=30"); // to refine the model with
-    overrides.push_back(inertia(carried)); // like the reduced swimmer, whose other errors are looked for
+    overrides.push_back(
+        inertia_override(names_of(carried))); // like the reduced swimmer, whose other errors are looked for
     return parse_scene(model.scene_text, model.scene_name + ".toml", overrides);
   }
 } // namespace swimtwin

@@ -3,6 +3,7 @@
 #include <control/stroke/robust_search.h>
 #include <datasets/system/error.h>
 #include <rom/sweep/trained_ratios.h>
+#include <rom/swimmer/carried_inertia.h>
 
 #include <fmt/format.h>
 
@@ -41,8 +42,8 @@ namespace swimtwin
     public:
       Planner(const ReducedModel &model, const SwimmingGoal &goal, const Drive &reference,
               const FieldPlanOptions &options, const std::vector<SwimmerParameters> &members)
-          : swimmer_(model), goal_(goal), options_(options), members_(members), task_{model, swimmer_, goal_, {}},
-            sinusoids_(1, FieldFamily::sinusoid),
+          : swimmer_(model, inertial_densities(model, goal.inertia)), goal_(goal), options_(options),
+            members_(members), task_{model, swimmer_, goal_, {}}, sinusoids_(1, FieldFamily::sinusoid),
             fields_(goal.n_harmonics, goal.family), reference_{sinusoids_.drive(sinusoids_.variables(reference)),
                                                                state_at_rest(swimmer_, goal.heading_rad)}
       {

@@ -4,6 +4,7 @@
 #include <datasets/system/error.h>
 #include <datasets/text/text_decoding.h>
 #include <rom/integration/swimmer_run.h>
+#include <rom/swimmer/carried_inertia.h>
 
 #include <fmt/format.h>
 
@@ -17,8 +18,8 @@ namespace swimtwin
   {
     constexpr std::array<std::pair<std::string_view, bool>, 1> kinds = {{{"target", true}}};
 
-    /// From the swimmer's frame, x ahead and y to its left, to the laboratory.
-    void read_target(const TomlDocument &document, TargetGoal &goal)
+    /// The target's place in the swimmer's frame, x ahead and y to its left.
+    Eigen::Vector2d read_target(const TomlDocument &document, TargetGoal &goal)
     {
       std::array<double, 2> position{};
       TargetOptions        &options = goal.options;
@@ -32,12 +33,11 @@ namespace swimtwin
       table.number("sample_rate_Hz", {"Hz", positive}, goal.sample_rate_Hz);
       table.number("steps_per_second", {"1/s", positive}, goal.steps_per_second);
       table.finish();
-      goal.target_m = goal.start.head<2>() +
-                      Eigen::Rotation2Dd(goal.start[2] + std::numbers::pi) * Eigen::Vector2d(position[0], position[1]);
       if (options.frequency_Hz.low > options.frequency_Hz.high)
         document.refuse("target", table.has("frequency_low_Hz") ? "frequency_low_Hz" : "frequency_high_Hz",
                         fmt::format("leaves no frequency: from {:.4g} to {:.4g} Hz (without an entry, as trained).",
                                     options.frequency_Hz.low, options.frequency_Hz.high));
+      return {position[0], position[1]};
     }
 
     /// Beyond it a way is no plan but a mistake in the unit, and its search would not end.
@@ -117,11 +117,10 @@ namespace swimtwin
     }
   } // namespace
 
-  TargetGoal read_target_goal(const std::filesystem::path &file, const ReducedModel &model)
+  TargetGoal read_target_goal(const std::filesystem::path &file, const ReducedModel &model, const std::string &inertia)
   {
-    const Scene          scene = parse_scene(model.scene_text, model.scene_name + ".toml");
-    const ReducedSwimmer swimmer(model);
-    TargetGoal           goal;
+    const Scene scene = scene_with_inertia(model, inertia);
+    TargetGoal  goal;
     goal.text = read_decoded_text(file, "the goal");
     const TomlDocument document(goal.text, file.string(), {});
     TomlTable          top(document, "");
@@ -130,15 +129,18 @@ namespace swimtwin
     for (const char *table : {"target", "carrier", "limits", "swimmer"})
       top.table(table);
     top.finish();
-    goal.start = state_at_rest(swimmer, scene.head.angle_rad);
-    goal.start.head<2>() << scene.head.center_m[0], scene.head.center_m[1];
     goal.options.frequency_Hz = model.range.frequency_Hz;
     goal.carrier              = read_carrier(document, scene);
     goal.swimmer              = swimmer_parameters(scene);
     read_swimmer(document, "swimmer", goal.swimmer);
     if (!document.find("target"))
       document.refuse("target", "position_m", "is missing; give position_m = [x, y], x ahead and y to the left.");
-    read_target(document, goal);
+    const Eigen::Vector2d place = read_target(document, goal);
+    goal.inertia = carried_inertia(scene, model, extreme_of(goal.swimmer, goal.options.frequency_Hz.high));
+    const ReducedSwimmer swimmer(model, inertial_densities(model, goal.inertia));
+    goal.start = state_at_rest(swimmer, scene.head.angle_rad);
+    goal.start.head<2>() << scene.head.center_m[0], scene.head.center_m[1];
+    goal.target_m = goal.start.head<2>() + Eigen::Rotation2Dd(goal.start[2] + std::numbers::pi) * place;
     require_reach(document, goal, swimmer.length_m());
     require_free_way(document, goal, scene);
     require_known_heading(document, goal, model);

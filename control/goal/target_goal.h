@@ -15,6 +15,7 @@ namespace swimtwin
     SwimmerState      start;    ///< at rest, as the scene places it
     Drive             carrier;
     SwimmerParameters swimmer;
+    InertiaTerms      inertia; ///< that it carries
     TargetOptions     options;
     double            steps_per_second = 100.;  ///< of a replay on the full-order model
     double            sample_rate_Hz   = 1000.; ///< of the coils
@@ -22,6 +23,7 @@ namespace swimtwin
 
   /// What the file leaves out is the model's scene's. Throws InputError with file, line, key, rule and remedy; also for
   /// a target that is reached already, lies beyond a wall or too near one, asks for a heading that the model does not
-  /// know, or is too far for the time limit whatever the frequency.
-  TargetGoal read_target_goal(const std::filesystem::path &file, const ReducedModel &model);
+  /// know, or is too far for the time limit whatever the frequency. `inertia` as in scene_with_inertia.
+  TargetGoal read_target_goal(const std::filesystem::path &file, const ReducedModel &model,
+                              const std::string &inertia = "");
 } // namespace swimtwin

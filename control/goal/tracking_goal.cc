@@ -4,6 +4,7 @@
 #include <datasets/system/error.h>
 #include <datasets/text/text_decoding.h>
 #include <datasets/text/toml_table.h>
+#include <rom/swimmer/carried_inertia.h>
 
 #include <fmt/format.h>
 
@@ -182,9 +183,10 @@ namespace swimtwin
     return kind && kind->value<std::string>() == "target";
   }
 
-  TrackingGoal read_tracking_goal(const std::filesystem::path &file, const ReducedModel &model)
+  TrackingGoal read_tracking_goal(const std::filesystem::path &file, const ReducedModel &model,
+                                  const std::string &inertia)
   {
-    const Scene  scene = parse_scene(model.scene_text, model.scene_name + ".toml");
+    const Scene  scene = scene_with_inertia(model, inertia);
     TrackingGoal goal;
     goal.text = read_decoded_text(file, "the goal");
     const TomlDocument document(goal.text, file.string(), {});
@@ -208,7 +210,8 @@ namespace swimtwin
     if (goal.plant == PlantKind::external)
       require_external_loop(document, goal);
     keep_slew_rate(document, goal);
-    const ReducedSwimmer swimmer(model);
+    goal.inertia = carried_inertia(scene, model, extreme_of(goal.believed, goal.carrier.frequency_Hz));
+    const ReducedSwimmer swimmer(model, inertial_densities(model, goal.inertia));
     if (behind > 0.)
       lead_point(document, behind * swimmer.length_m(), goal);
     require_inside(document, goal.path, scene);

@@ -27,6 +27,7 @@ namespace swimtwin
     Drive             carrier;
     FieldLimits       limits;                    ///< of the coils, the bound on the carrier's size included
     SwimmerParameters believed, true_parameters; ///< of the model that decides, and of a reduced plant
+    InertiaTerms      inertia;                   ///< that both carry
     ClosedLoopOptions options;
     PlantKind         plant            = PlantKind::reduced;
     double            steps_per_second = 40.;   ///< of a full-order plant: a whole number per decision
@@ -38,6 +39,7 @@ namespace swimtwin
 
   /// What the file leaves out is the model's scene's. Throws InputError with file, line, key, rule and remedy; also for
   /// limits that the turned carrier does not keep, for a path that leaves the domain, and for one that the swimmer
-  /// cannot follow.
-  TrackingGoal read_tracking_goal(const std::filesystem::path &file, const ReducedModel &model);
+  /// cannot follow. `inertia` as in scene_with_inertia.
+  TrackingGoal read_tracking_goal(const std::filesystem::path &file, const ReducedModel &model,
+                                  const std::string &inertia = "");
 } // namespace swimtwin

@@ -44,7 +44,7 @@ namespace swimtwin
 
   double LimitedMotion::quantity_of(const Quantity quantity, const SwimmerState &state) const
   {
-    const ShapeVector q = state.tail(swimmer_.n_modes());
+    const ShapeVector q = swimmer_.shape_of(state);
     switch (quantity)
     {
     case Quantity::shape_radius:
@@ -62,14 +62,14 @@ namespace swimtwin
   Eigen::RowVectorXd LimitedMotion::slopes_of(const Quantity quantity, const SwimmerState &state) const
   {
     const int          r     = swimmer_.n_modes();
-    const ShapeVector  q     = state.tail(r);
+    const ShapeVector  q     = swimmer_.shape_of(state);
     Eigen::RowVectorXd slope = Eigen::RowVectorXd::Zero(state.size());
     switch (quantity)
     {
     case Quantity::shape_radius: {
       const Eigen::ArrayXd scale = model_.resistance.coordinate_scale_m.head(r);
-      slope.tail(r)              = (Eigen::ArrayXd(q) / scale.square()).matrix().transpose() /
-                      std::max(swimmer_.resistance().shape_radius(q), 1e-12);
+      slope.segment(3, r)        = (Eigen::ArrayXd(q) / scale.square()).matrix().transpose() /
+                            std::max(swimmer_.resistance().shape_radius(q), 1e-12);
       break;
     }
     case Quantity::angle_radius:
@@ -79,7 +79,7 @@ namespace swimtwin
       slope[2] = std::copysign(1., state[2] - heading_rad_);
       break;
     case Quantity::strain:
-      slope.tail(r) = tail_strain_slopes(swimmer_, tail_area_m2_, q);
+      slope.segment(3, r) = tail_strain_slopes(swimmer_, tail_area_m2_, q);
       break;
     }
     return slope;

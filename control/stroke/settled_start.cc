@@ -29,7 +29,7 @@ namespace swimtwin
       const SwimmerRun run = integrator.run(trial);
       if (!run.completed())
         return std::numeric_limits<double>::max();
-      const Eigen::VectorXd away = run.at_period_end.back().tail(n) - orbit_start.tail(n);
+      const Eigen::VectorXd away = run.at_period_end.back().segment(2, n) - orbit_start.segment(2, n);
       return weight.cwiseProduct(away).norm();
     };
     const double step = 2. * farthest_rad / n_tries, first = orbit_start[2] - farthest_rad;

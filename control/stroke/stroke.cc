@@ -1,6 +1,7 @@
 #include <control/stroke/stroke.h>
 
 #include <control/stroke/multiplier_slopes.h>
+#include <rom/sensitivity/period_start.h>
 #include <rom/swimmer/area_constraint.h>
 #include <rom/swimmer/dense_algebra.h>
 
@@ -8,7 +9,8 @@
 #include <array>
 #include <cmath>
 
-// u is (angle, shape / length) at the period's start, p the variables, Phi(u, p) the same one period later, M = Phi_u.
+// u is what a period maps onto itself at the start, per unit, p the variables, Phi(u, p) the same one period later,
+// M = Phi_u.
 
 namespace swimtwin
 {
@@ -17,37 +19,28 @@ namespace swimtwin
     constexpr double negligible_multiplier = 1e-3; // its slopes would be lost in the integrator's error
     constexpr int    max_periods_waited    = 50;   // a search has no use for motions that hardly settle
 
-    std::vector<Parameter> start_and(const std::vector<Parameter> &variables, const int n_modes)
+    std::vector<Parameter> start_and(const std::vector<Parameter> &variables, const ReducedSwimmer &swimmer)
     {
-      std::vector<Parameter> all = {{Quantity::initial_angle, 0}};
-      for (int k = 0; k < n_modes; ++k)
-        all.push_back({Quantity::initial_shape, k});
+      std::vector<Parameter> all = start_parameters(swimmer);
       all.insert(all.end(), variables.begin(), variables.end());
       return all;
-    }
-
-    Eigen::VectorXd scale_of_start(const ReducedSwimmer &swimmer)
-    {
-      Eigen::VectorXd scale = Eigen::VectorXd::Constant(swimmer.n_modes() + 1, swimmer.length_m());
-      scale[0]              = 1.;
-      return scale;
     }
   } // namespace
 
   StrokeFinder::StrokeFinder(const ReducedSwimmer &swimmer, const StrokeOptions &options)
-      : swimmer_(swimmer), options_(options), scale_(scale_of_start(swimmer)),
-        orbits_(swimmer, {.relative_tolerance = options.relative_tolerance,
-                          .closure            = options.closure,
-                          .max_periods        = max_periods_waited}),
+      : swimmer_(swimmer), options_(options), orbits_(swimmer, {.relative_tolerance = options.relative_tolerance,
+                                                                .closure            = options.closure,
+                                                                .max_periods        = max_periods_waited}),
         plain_(swimmer, {.relative_tolerance = options.relative_tolerance}),
         differentiated_(swimmer, {.relative_tolerance = options.relative_tolerance,
-                                  .sensitivities      = start_and(options.variables, swimmer.n_modes())})
+                                  .sensitivities      = start_and(options.variables, swimmer)})
   {
   }
 
   Stroke StrokeFinder::find(const RunRequest &request, const bool with_slopes)
   {
     Stroke stroke;
+    scale_                   = start_units(swimmer_, request.drive.frequency_Hz);
     stroke.request           = request;
     stroke.request.n_periods = 1;
     stroke.orbit             = orbits_.find(request);

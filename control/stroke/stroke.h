@@ -23,7 +23,7 @@ namespace swimtwin
   struct StrokeSlopes
   {
     Eigen::MatrixXd              drift_m; ///< 2 x n
-    std::vector<Eigen::MatrixXd> states;  ///< of the samples, (r + 3) x n each
+    std::vector<Eigen::MatrixXd> states;  ///< of the samples, states x n each
     Eigen::MatrixXd              growths; ///< n_multipliers x n; zero for multipliers below 1e-3
   };
 
@@ -57,7 +57,7 @@ namespace swimtwin
     void       add_samples(SwimmerRun run, Stroke &stroke) const;
     void       add_slopes(const SwimmerRun &run, Stroke &stroke);
     void       add_growth_slopes(const Eigen::MatrixXd &monodromy, const Eigen::MatrixXd &start_slopes, Stroke &stroke);
-    /// The rows of angle and shape of a state's sensitivities, per scaled unit: by the start (left), by the variables.
+    /// A state's sensitivities without the rows of its position, per unit: by the start (left), by the variables.
     Eigen::MatrixXd scaled(const Eigen::MatrixXd &sensitivity) const;
     Eigen::MatrixXd start_slopes(const Eigen::MatrixXd &map, const SwimmerState &start) const;
     /// d/de of the map's slopes along start_slopes, from a start moved by e in a direction.
@@ -65,7 +65,7 @@ namespace swimtwin
 
     const ReducedSwimmer &swimmer_;
     StrokeOptions         options_;
-    Eigen::VectorXd       scale_; ///< of angle and shape
+    Eigen::VectorXd       scale_; ///< of what a period maps onto itself
     PeriodicOrbitFinder   orbits_;
     SwimmerIntegrator     plain_, differentiated_;
   };

@@ -65,7 +65,7 @@ namespace swimtwin
       for (std::size_t i = 0; i < stroke.samples.size(); ++i)
       {
         const ReducedSnapshot &now = stroke.samples[i];
-        const ShapeVector      q   = now.state.tail(swimmer.n_modes());
+        const ShapeVector      q   = swimmer.shape_of(now.state);
         const Eigen::Matrix2d  R   = Eigen::Rotation2Dd(now.state[2]).toRotationMatrix();
         const Eigen::Vector2d  m   = R * swimmer.moment(q, stroke.request.parameters);
         const Eigen::Vector2d  dB  = series.rate(now.phase, c);
@@ -75,7 +75,7 @@ namespace swimtwin
         const Eigen::MatrixXd &S = stroke.slopes.states[i];
         const Eigen::MatrixXd  dm =
             Eigen::Vector2d(-m.y(), m.x()) * S.row(2) +
-            R * swimmer.moment_slopes(q, stroke.request.parameters) * S.bottomRows(swimmer.n_modes());
+            R * swimmer.moment_slopes(q, stroke.request.parameters) * S.middleRows(3, swimmer.n_modes());
         work.slopes -= dB.transpose() * dm / n;
         work.slopes.head(c.size()) -= m.transpose() * series.rate_slopes(now.phase) / n;
       }

@@ -27,6 +27,7 @@ namespace swimtwin
     /// efficiency) are maximised and costs minimised by positive weights.
     std::map<StrokeTerm, double> weights;
     SwimmerParameters            swimmer;
+    InertiaTerms                 inertia;          ///< that the swimmer carries
     double                       heading_rad = 0.; ///< the swimmer travels along -(cos, sin) of it
 
     FieldFamily  family      = FieldFamily::general;

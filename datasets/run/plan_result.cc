@@ -101,6 +101,7 @@ namespace swimtwin
     visit("young_modulus_Pa", v.young_modulus_Pa);
     visit("viscosity_Pa_s", v.viscosity_Pa_s);
     visit("magnetization_A_m", v.magnetization_A_m);
+    visit("inertia", v.inertia);
     visit("heading_rad", v.heading_rad);
     visit("sample_rate_Hz", v.sample_rate_Hz);
     visit("fields", v.fields);
@@ -164,7 +165,8 @@ namespace swimtwin
   {
     Json json = read_json_file(file, "the plan", "run `swimtwin optimize` again");
     if (json.is_object())
-      json.emplace("refinement", Json::array()); // plans of earlier versions lack it: there was none
+      for (const char *entry : {"refinement", "inertia"})
+        json.emplace(entry, Json::array()); // plans of earlier versions lack it: there was none
     PlanResult result;
     try
     {

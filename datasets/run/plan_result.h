@@ -31,7 +31,8 @@ namespace swimtwin
     /// Bias, then cosine and sine of each harmonic (T).
     std::vector<double> bx_T, by_T;
     double              frequency_Hz = 0.;
-    /// Of the periodic motion at phase 0: head's angle (rad), coordinates of the shape (m).
+    /// Of the periodic motion at phase 0: head's angle (rad), coordinates of the shape (m), and velocities with
+    /// inertia.
     std::vector<double> start;
 
     bool                          moves          = false; ///< a periodic motion was found; nothing below counts without
@@ -96,7 +97,10 @@ namespace swimtwin
     std::string model_file, scene_name, goal_text;
 
     double young_modulus_Pa = 0., viscosity_Pa_s = 0., magnetization_A_m = 0.;
-    double heading_rad = 0., sample_rate_Hz = 0.;
+    /// Terms of inertia that the swimmer carried, by their names in [fluid] inertia; plans of earlier versions have
+    /// none.
+    std::vector<std::string> inertia;
+    double                   heading_rad = 0., sample_rate_Hz = 0.;
 
     std::vector<PlannedField>    fields;
     std::vector<TradeOffPoint>   trade_off;

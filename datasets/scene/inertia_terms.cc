@@ -3,6 +3,8 @@
 #include <datasets/scene/dimensionless_groups.h>
 #include <datasets/scene/scene_names.h>
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -79,6 +81,11 @@ namespace swimtwin
       if (terms.*term)
         names.emplace_back(name);
     return names;
+  }
+
+  std::string inertia_override(const std::vector<std::string> &names)
+  {
+    return names.empty() ? "fluid.inertia=none" : fmt::format("fluid.inertia=[\"{}\"]", fmt::join(names, "\", \""));
   }
 
   double InertiaShares::together() const

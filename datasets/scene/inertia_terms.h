@@ -17,6 +17,9 @@ namespace swimtwin
   /// Their names in a scene file.
   std::vector<std::string> names_of(const InertiaTerms &terms);
 
+  /// The entry of a scene that asks for those of these names, as an override.
+  std::string inertia_override(const std::vector<std::string> &names);
+
   constexpr double negligible_share = 2e-3;
 
   /// Estimated share of the displacement per period that leaving out a term loses, 0 to 1; rather too large than too

@@ -1,5 +1,6 @@
 #include <reports/plan/target_files.h>
 
+#include <datasets/scene/inertia_terms.h>
 #include <datasets/text/csv_writer.h>
 #include <reports/plan/track_files.h>
 
@@ -84,6 +85,7 @@ namespace swimtwin
       json["largest_field_T"]           = way.plan.largest_field_T();
     }
     json["body_length_m"] = record.body_length_m;
+    json["inertia"]       = names_of(record.goal.inertia);
     if (record.replay)
       json["replay"] = {{"end_distance_body_lengths", record.replay->back().distance_m / record.body_length_m}};
     else

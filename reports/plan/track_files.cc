@@ -1,5 +1,6 @@
 #include <reports/plan/track_files.h>
 
+#include <datasets/scene/inertia_terms.h>
 #include <datasets/text/csv_writer.h>
 #include <datasets/scene/field_program_writer.h>
 
@@ -118,6 +119,7 @@ namespace swimtwin
     json["advance_per_period_m"] = result.advance_m;
     json["lever_m"]              = result.lever_m;
     json["largest_field_T"]      = result.plan.largest_field_T();
+    json["inertia"]              = names_of(record.goal.inertia);
     if (record.replay)
       json["replay"] = numbers_of(*record.replay, record);
     else if (record.goal.kind == TrackingKind::path)

@@ -83,8 +83,9 @@ namespace swimtwin
     for (const std::string &step : record.history)
       text += fmt::format("  training     {}\n", step);
     if (model.inertia.is_given())
-      text += "  inertia      of fluid, tail and head: carried by `sweep`, `calibrate`, `twin` and `lab`, left out by "
-              "`optimize` and `track`\n";
+      text +=
+          "  inertia      of fluid, tail and head: carried by `sweep`, `calibrate`, `optimize`, `track`, `twin` and "
+          "`lab`\n";
     for (const std::string &neglected : record.neglects)
       text += fmt::format("  neglects     {}\n", neglected);
     return text;

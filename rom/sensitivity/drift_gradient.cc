@@ -1,5 +1,6 @@
 #include <rom/sensitivity/drift_gradient.h>
 
+#include <rom/sensitivity/period_start.h>
 #include <rom/swimmer/area_constraint.h>
 #include <rom/swimmer/dense_algebra.h>
 
@@ -24,27 +25,18 @@ namespace swimtwin
       Eigen::VectorXd weights_;
     };
 
-    std::vector<Parameter> angle_and_shape(const int n_modes)
-    {
-      std::vector<Parameter> parameters = {{Quantity::initial_angle, 0}};
-      for (int k = 0; k < n_modes; ++k)
-        parameters.push_back({Quantity::initial_shape, k});
-      return parameters;
-    }
-
-    /// The adjoint of angle and shape that returns to itself, (I - M^T) mu = (d drift / d start)^T direction, behind
+    /// The adjoint of what a period maps that returns to itself, (I - M^T) mu = (d drift / d start)^T direction, behind
     /// the direction itself.
-    Eigen::VectorXd periodic_adjoint(const ReducedSwimmer &swimmer, const SwimmerState &start, const Eigen::MatrixXd &S,
+    Eigen::VectorXd periodic_adjoint(const ReducedSwimmer &swimmer, const RunRequest &period, const Eigen::MatrixXd &S,
                                      const Eigen::Vector2d &direction)
     {
-      const Eigen::Index n     = swimmer.n_modes() + 1;
-      Eigen::VectorXd    scale = Eigen::VectorXd::Constant(n, swimmer.length_m());
-      scale[0]                 = 1.;
-      const Eigen::MatrixXd M  = scale.cwiseInverse().asDiagonal() * S.bottomRows(n) * scale.asDiagonal();
-      const Eigen::VectorXd d  = scale.asDiagonal() * S.topRows(2).transpose() * direction;
-      const Eigen::MatrixXd Z  = free_directions(swimmer, start);
-      const Eigen::MatrixXd A  = Z.transpose() * (Eigen::MatrixXd::Identity(n, n) - M) * Z;
-      const Eigen::VectorXd mu = Z * solve_by_qr<Eigen::VectorXd>(A.transpose(), Z.transpose() * d);
+      const Eigen::VectorXd scale = start_units(swimmer, period.drive.frequency_Hz);
+      const Eigen::Index    n     = scale.size();
+      const Eigen::MatrixXd M     = scale.cwiseInverse().asDiagonal() * S.bottomRows(n) * scale.asDiagonal();
+      const Eigen::VectorXd d     = scale.asDiagonal() * S.topRows(2).transpose() * direction;
+      const Eigen::MatrixXd Z     = free_directions(swimmer, period.initial_state);
+      const Eigen::MatrixXd A     = Z.transpose() * (Eigen::MatrixXd::Identity(n, n) - M) * Z;
+      const Eigen::VectorXd mu    = Z * solve_by_qr<Eigen::VectorXd>(A.transpose(), Z.transpose() * d);
       Eigen::VectorXd       weights(n + 2);
       weights << direction, scale.cwiseInverse().cwiseProduct(mu);
       return weights;
@@ -59,16 +51,16 @@ namespace swimtwin
     period.initial_state      = orbit.start;
     period.n_periods          = 1;
     period.samples_per_period = 0;
-    SwimmerIntegrator integrator(swimmer, {.relative_tolerance = options.relative_tolerance,
-                                           .sensitivities      = angle_and_shape(swimmer.n_modes())});
-    const SwimmerRun  run = integrator.run(period);
-    MotionGradient    result;
+    SwimmerIntegrator integrator(
+        swimmer, {.relative_tolerance = options.relative_tolerance, .sensitivities = start_parameters(swimmer)});
+    const SwimmerRun run = integrator.run(period);
+    MotionGradient   result;
     result.status  = run.status;
     result.failure = run.failure;
     if (!run.completed())
       return result;
     const LinearFunctional functional(
-        periodic_adjoint(swimmer, orbit.start, run.sensitivity_at_period_end.back(), direction));
+        periodic_adjoint(swimmer, period, run.sensitivity_at_period_end.back(), direction));
     result       = AdjointIntegrator(swimmer, options).differentiate(period, functional);
     result.value = direction.dot(run.at_period_end.back().head<2>());
     result.by_initial_state.setZero();

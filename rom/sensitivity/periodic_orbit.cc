@@ -1,3 +1,4 @@
+#include <rom/sensitivity/period_start.h>
 #include <rom/sensitivity/periodic_orbit.h>
 
 #include <rom/swimmer/area_constraint.h>
@@ -16,16 +17,6 @@ namespace swimtwin
   namespace
   {
     constexpr double largest_step = 0.5; // of Newton's method, rad or body lengths
-
-    std::vector<Parameter> initial_state(const ReducedSwimmer &swimmer)
-    {
-      std::vector<Parameter> parameters = {{Quantity::initial_angle, 0}};
-      for (int k = 0; k < swimmer.n_modes(); ++k)
-        parameters.push_back({Quantity::initial_shape, k});
-      for (int k = 0; swimmer.has_inertia() && k < swimmer.n_velocities(); ++k)
-        parameters.push_back({Quantity::initial_velocity, k});
-      return parameters;
-    }
 
     double distance_from_one(const std::vector<std::complex<double>> &multipliers)
     {
@@ -55,11 +46,11 @@ namespace swimtwin
   PeriodicOrbitFinder::PeriodicOrbitFinder(const ReducedSwimmer &swimmer, const OrbitOptions &options)
       : swimmer_(swimmer), options_(options),
         differentiated_(swimmer, {.relative_tolerance         = options.relative_tolerance,
-                                  .sensitivities              = initial_state(swimmer),
+                                  .sensitivities              = start_parameters(swimmer),
                                   .control_sensitivity_errors = options.exact_multipliers}),
         plain_(swimmer, {.relative_tolerance = options.relative_tolerance})
   {
-    std::vector<Parameter> all = initial_state(swimmer);
+    std::vector<Parameter> all = start_parameters(swimmer);
     all.insert(all.end(), options.parameters.begin(), options.parameters.end());
     if (!options.parameters.empty())
       parametric_.emplace(swimmer,
@@ -79,18 +70,9 @@ namespace swimtwin
     return state;
   }
 
-  /// Of angle and shape, and of velocities: radians, body lengths and periods.
   Eigen::VectorXd PeriodicOrbitFinder::units() const
   {
-    const Eigen::Index n     = swimmer_.n_velocities();
-    Eigen::VectorXd    units = Eigen::VectorXd::Constant(swimmer_.n_states() - 2, swimmer_.length_m());
-    units[0]                 = 1.;
-    if (swimmer_.has_inertia())
-    {
-      units[n] = 1.;
-      units.tail(n) *= request_.drive.frequency_Hz;
-    }
-    return units;
+    return start_units(swimmer_, request_.drive.frequency_Hz);
   }
 
   /// Velocities count as they do in the integration's tolerances.

@@ -48,6 +48,8 @@ namespace swimtwin
     bool   has_inertia() const { return has_inertia_; }
     double length_m() const { return length_m_; } ///< largest distance of the tail from the head's centre, at rest
 
+    ShapeVector shape_of(const SwimmerState &state) const { return state.segment(3, r_); }
+
     const TailTip             &tip() const { return tip_; }
     const ElasticEnergy       &energy() const { return energy_; }
     const ResistanceSurrogate &resistance() const { return resistance_; }
@@ -105,7 +107,6 @@ namespace swimtwin
                                Eigen::MatrixXd &columns) const;
     void add_resistance_derivatives(const SwimmerMotion &motion, double viscosity, Eigen::MatrixXd &columns) const;
     void constrain_derivatives(const SwimmerState &state, const SwimmerMotion &motion, Eigen::MatrixXd &columns) const;
-    ShapeVector shape_of(const SwimmerState &state) const { return state.segment(3, r_); }
     /// mu R xi of motion.velocity.
     VelocityVector drag(const SwimmerMotion &motion, double viscosity) const;
 

@@ -91,6 +91,39 @@ max_evaluations = 12
     EXPECT_FALSE(std::filesystem::exists(results));
   }
 
+  TEST_F(OptimizeVerb, CarriesInertiaWhereTheModelHasIt)
+  {
+    const Outcome none = optimize(a_goal, {"--inertia", "full"});
+    EXPECT_EQ(none.code, 2);
+    expect_part(none.errors, "was trained without inertia");
+    write_reduced_model(model, truncated(read_reduced_model(std::string(places::models) + "/reference-2d.h5"), 2),
+                        Provenance{});
+    const auto plan = [&](const std::string &viscosity, const std::vector<std::string> &options) {
+      const Outcome outcome = optimize(a_goal + "[swimmer]\nviscosity_Pa_s = " + viscosity + "\n", options);
+      EXPECT_EQ(outcome.code, 0) << outcome.errors;
+      return read_plan_result(std::filesystem::path(results) / plan_name);
+    };
+    const PlanResult with = plan("1.0", {"--inertia", "full", "--no-picture"});
+    EXPECT_EQ(with.inertia, (std::vector<std::string>{"unsteady", "convective", "tail", "head"}));
+    EXPECT_EQ(with.fields.front().start.size(), 8u); // angle, two coordinates, five velocities
+    const PlanResult without = plan("1.0", {"--inertia", "none", "--no-picture", "--force"});
+    EXPECT_TRUE(without.inertia.empty());
+    const double share = with.fields.front().mean_speed_m_s / without.fields.front().mean_speed_m_s - 1.;
+    EXPECT_GT(std::abs(share), 1e-3);
+    EXPECT_LT(std::abs(share), 0.2);
+    ASSERT_FALSE(without.warnings.empty());
+    expect_part(without.warnings.back(), "the reduced swimmer neglects inertia");
+  }
+
+  TEST_F(OptimizeVerb, RefusesToNeglectInertiaThatDecides)
+  {
+    const std::string thin    = a_goal + "[swimmer]\nviscosity_Pa_s = 5e-3\n";
+    const Outcome     outcome = optimize(thin);
+    EXPECT_EQ(outcome.code, 2);
+    expect_part(outcome.errors, "raise [swimmer] viscosity_Pa_s");
+    EXPECT_FALSE(std::filesystem::exists(results));
+  }
+
   TEST_F(OptimizeVerb, NeedsTheFullOrderModelForAReplay)
   {
     const Outcome outcome = optimize(a_goal, {"--replay"});

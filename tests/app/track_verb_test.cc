@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <fstream>
+#include <map>
 
 namespace swimtwin
 {
@@ -97,6 +98,30 @@ namespace swimtwin
     const Outcome far = track(target + "time_limit_s = 0.5\n", {"--force"});
     EXPECT_EQ(far.code, 2);
     EXPECT_NE(far.errors.find("time_limit_s = 0.5 is too short"), std::string::npos) << far.errors;
+  }
+
+  TEST_F(TrackVerb, CarriesInertiaWhereTheModelHasIt)
+  {
+    std::ofstream(folder.path / "goal.toml") << line;
+    const std::string goal = folder.path / "goal.toml";
+    const auto        swum = [&](const std::string &model, const std::string &inertia) {
+      return track_tool({"track", std::string(places::models) + "/" + model, goal, "--output", results + inertia,
+                         "--no-picture", "--inertia", inertia});
+    };
+    EXPECT_EQ(swum("open-2d.h5", "full").code, 2);
+    std::map<std::string, nlohmann::json> records;
+    for (const std::string inertia : {"none", "full"})
+    {
+      const Outcome outcome = swum("reference-2d.h5", inertia);
+      ASSERT_EQ(outcome.code, 0) << outcome.errors;
+      records[inertia] = nlohmann::json::parse(std::ifstream(results + inertia + "/track.json"));
+      EXPECT_EQ(records[inertia]["status"], "arrived");
+    }
+    EXPECT_EQ(records["none"]["inertia"].size(), 0u);
+    EXPECT_EQ(records["full"]["inertia"].size(), 4u);
+    const double with = records["full"]["advance_per_period_m"], without = records["none"]["advance_per_period_m"];
+    EXPECT_GT(std::abs(with / without - 1.), 2e-3);
+    EXPECT_LT(std::abs(with / without - 1.), 0.2);
   }
 
   TEST_F(TrackVerb, RefusesBadGoalsAndAMissingPlant)

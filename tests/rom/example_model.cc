@@ -376,6 +376,11 @@ namespace swimtwin
     return model;
   }
 
+  InertialDensities example_densities(const ExampleOptions &options)
+  {
+    return options.has_inertia ? InertialDensities{1260., 1300., 7000.} : InertialDensities{};
+  }
+
   Eigen::VectorXd random_shape(const ReducedModel &model, RandomNumbers &random, const double largest_radius)
   {
     const Eigen::VectorXd direction = random.vector(model.n_modes());

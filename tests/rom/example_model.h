@@ -22,6 +22,9 @@ namespace swimtwin
 
   ReducedModel example_model(const ExampleOptions &options = {});
 
+  /// Of the inertia that such a swimmer carries in glycerol, with a heavy head; none without has_inertia.
+  InertialDensities example_densities(const ExampleOptions &options);
+
   /// Numbers in [-1, 1], the same in every run.
   class RandomNumbers
   {

@@ -3,7 +3,8 @@
 #include <datasets/system/error.h>
 #include <datasets/text/text_decoding.h>
 #include <datasets/text/toml_table.h>
-#include <twin/motion/carried_densities.h>
+#include <rom/swimmer/carried_inertia.h>
+#include <twin/motion/inertia_entry.h>
 #include <twin/lab/lab_config.h>
 
 #include <fmt/format.h>
@@ -195,7 +196,8 @@ namespace swimtwin
       read_events(document, options);
       options.largest_step_s = 0.025 / config.frequency_Hz;
       if (config.swimmer == LabSwimmer::reduced)
-        options.densities = carried_densities(config.inertia, *model, scene, options.nominal, config.frequency_Hz);
+        options.densities = inertial_densities(
+            *model, carried_inertia(*model, config.inertia, extreme_of(options.nominal, config.frequency_Hz)));
       else
         require_still_swimmer(document, options);
       constexpr double fewest_steps = 10.; // per period, as of scenes

@@ -27,7 +27,7 @@ namespace swimtwin
   }
 
   Pilot::Pilot(SwimmerTwin &twin, const ReducedModel &model, const SteeringConfig &config)
-      : twin_(twin), swimmer_(model), config_(config),
+      : twin_(twin), swimmer_(model, twin.options().densities), config_(config),
         motion_(carrier_motion(swimmer_, twin.options().nominal, config.goal.carrier)), limiter_(config.goal.limits)
   {
     require_followable(config.goal.path, motion_.lever_m);

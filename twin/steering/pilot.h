@@ -86,7 +86,7 @@ namespace swimtwin
     void                        compose(PlayRecord &record);
 
     SwimmerTwin                &twin_;
-    ReducedSwimmer              swimmer_; ///< that plans are made with: without inertia
+    ReducedSwimmer              swimmer_; ///< that plans are made with
     SteeringConfig              config_;
     CarrierMotion               motion_;
     CoilLimiter                 limiter_;

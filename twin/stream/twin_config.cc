@@ -5,8 +5,9 @@
 #include <datasets/system/error.h>
 #include <datasets/text/text_decoding.h>
 #include <datasets/text/toml_table.h>
+#include <rom/swimmer/carried_inertia.h>
 #include <twin/estimate/model_bias.h>
-#include <twin/motion/carried_densities.h>
+#include <twin/motion/inertia_entry.h>
 #include <twin/stream/twin_config.h>
 
 #include <fmt/format.h>
@@ -293,7 +294,8 @@ namespace swimtwin
       take_prior(config.prior, config.options);
     }
     read_swimmer(document, "swimmer", config.options.nominal);
-    config.options.densities = carried_densities(inertia, model, scene, config.options.nominal, 1. / config.period_s);
+    config.options.densities = inertial_densities(
+        model, carried_inertia(model, inertia, extreme_of(config.options.nominal, 1. / config.period_s)));
     read_parameters(document, config.options.parameters);
     read_camera(document, config.camera);
     read_start(document, config.options);

@@ -3,6 +3,7 @@
 
 #include <datasets/system/error.h>
 #include <rom/sweep/sweep.h>
+#include <rom/swimmer/carried_inertia.h>
 #include <tests/places.h>
 
 #include <gtest/gtest.h>
@@ -53,6 +54,24 @@ namespace swimtwin
     ReducedPlant      plant(swimmer, believed, state_at_rest(swimmer));
     const TrackResult replay = play_plan(swimmer, believed, plan, plant, {.decisions_per_second = 5.});
     EXPECT_NEAR(replay.rms_distance_m, plan.rms_distance_m, 1e-3 * L);
+  }
+
+  TEST(ClosedLoopWithInertia, APlanStaysOnItsLineAndItsReplayRepeatsIt)
+  {
+    const ReducedModel      model = read_reduced_model(std::string(places::models) + "/reference-2d.h5");
+    const InertiaTerms      all{.unsteady = true, .convective = true, .tail = true, .head = true};
+    const ReducedSwimmer    swimmer(model, inertial_densities(model, all)), light(model);
+    const RunRequest        request = sweep_options(parse_scene(model.scene_text, "reference-2d.toml"), model).base;
+    const ClosedLoopOptions options{.decisions_per_second = 5.};
+    const Path              line = Path::line(0.08 * swimmer.length_m());
+    const TrackResult       plan = follow_path(swimmer, request.parameters, request.drive, line, options);
+    ASSERT_EQ(plan.status, TrackStatus::arrived) << plan.message;
+    EXPECT_LE(plan.rms_distance_m, 0.005 * swimmer.length_m());
+    ReducedPlant      plant(swimmer, request.parameters, state_at_rest(swimmer));
+    const TrackResult replay = play_plan(swimmer, request.parameters, plan, plant, options);
+    EXPECT_NEAR(replay.rms_distance_m, plan.rms_distance_m, 1e-3 * swimmer.length_m());
+    const double without = carrier_motion(light, request.parameters, request.drive).advance_m;
+    EXPECT_GT(std::abs(plan.advance_m / without - 1.), 2e-3);
   }
 
   TEST_F(ClosedLoopOfTheOpenSwimmer, StaysOnTheArcWithWrongParametersAndNoise)

@@ -30,7 +30,7 @@ namespace swimtwin
   TEST_P(Gradients, OfEveryTermAndLimitAreThoseOfDifferences)
   {
     const ReducedModel   model = example_model(GetParam());
-    const ReducedSwimmer swimmer(model);
+    const ReducedSwimmer swimmer(model, example_densities(GetParam()));
     const FieldVariables variables(2, FieldFamily::general);
     const SwimmingGoal   goal = every_limit(model);
     Eigen::VectorXd      x    = variables.variables(sinusoid_coefficients(*variables.field(), 2e-3, 5e-3), 0.8);
@@ -47,6 +47,7 @@ namespace swimtwin
                            ::testing::Values(ExampleOptions{.n_modes = 2},
                                              ExampleOptions{
                                                  .n_modes = 2, .depends_on_angle = false, .magnetic_tail = false},
-                                             ExampleOptions{.n_modes = 3, .keeps_area = true}),
+                                             ExampleOptions{.n_modes = 3, .keeps_area = true},
+                                             ExampleOptions{.n_modes = 2, .has_inertia = true}),
                            [](const auto &instance) { return std::to_string(instance.index); });
 } // namespace swimtwin

@@ -57,6 +57,25 @@ namespace swimtwin
                 request.parameters.viscosity_Pa_s * speed * speed / (work * request.drive.frequency_Hz), 1e-12);
   }
 
+  /// What is stored in moving masses comes back within the period.
+  TEST_F(Strokes, WithInertiaArePeriodicAndTheirWorkIsWhatTheFluidTakes)
+  {
+    const ExampleOptions heavy{.has_inertia = true};
+    const ReducedModel   heavy_model = example_model(heavy);
+    const ReducedSwimmer other(heavy_model, example_densities(heavy));
+    RunRequest           started = request;
+    started.initial_state        = state_at_rest(other);
+    const Stroke found =
+        StrokeFinder(other, {.relative_tolerance = 1e-9, .closure = 1e-8, .n_samples = 96}).find(started, false);
+    ASSERT_TRUE(found.found()) << found.failure;
+    const SwimmerRun run = SwimmerIntegrator(other, {.relative_tolerance = 1e-9, .with_work = true}).run(found.request);
+    const SwimmerState &start = run.at_period_end.front(), &end = run.at_period_end.back();
+    EXPECT_LT((end - start).segment(2, 5).norm(), 1e-6);
+    EXPECT_LT(std::abs(run.work.front().kinetic_change), 1e-5 * run.work.front().dissipated);
+    const double work = evaluate(StrokeTerm::magnetic_work, other, *field, found, 0.).value;
+    EXPECT_NEAR(work, run.work.front().dissipated, 1e-5 * work);
+  }
+
   TEST_F(Strokes, CopperLossIsTheIntegralOfTheFieldSquared)
   {
     const Stroke  found = stroke();

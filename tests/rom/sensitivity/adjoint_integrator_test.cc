@@ -217,11 +217,14 @@ namespace swimtwin
 
   TEST_F(Adjoint, DriftOfAPeriodicMotionHasTheSensitivitiesOfTheOrbit)
   {
-    for (const bool keeps_area : {false, true})
+    for (const ExampleOptions &options :
+         {ExampleOptions{.magnetic_tail = false}, ExampleOptions{.keeps_area = true, .magnetic_tail = false},
+          ExampleOptions{.magnetic_tail = false, .has_inertia = true}})
     {
-      const ReducedModel   closed = example_model({.keeps_area = keeps_area, .magnetic_tail = false});
-      const ReducedSwimmer other(closed);
+      const ReducedModel   closed = example_model(options);
+      const ReducedSwimmer other(closed, example_densities(options));
       RunRequest           periodic     = example_request(closed);
+      periodic.initial_state            = state_at_rest(other);
       periodic.drive                    = spline_drive(periodic.drive, 24, true);
       std::vector<Parameter> parameters = {{Quantity::young_modulus, 0},
                                            {Quantity::viscosity, 0},

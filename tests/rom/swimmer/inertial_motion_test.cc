@@ -12,7 +12,7 @@ namespace swimtwin
   namespace
   {
     const SwimmerParameters glycerol{1e5, 1.52, 1e5, 3e4};
-    const InertialDensities densities{1260., 1300., 7000.};
+    const InertialDensities densities = example_densities({.has_inertia = true});
     const Eigen::Vector2d   inertial_field_T(4e-3, -3e-3);
 
     struct InertialCase

@@ -1,7 +1,7 @@
 #include <tests/twin/open_swimmer.h>
 #include <twin/estimate/swimmer_twin.h>
 #include <twin/lab/laboratory.h>
-#include <twin/motion/carried_densities.h>
+#include <rom/swimmer/carried_inertia.h>
 
 #include <gtest/gtest.h>
 
@@ -140,7 +140,7 @@ namespace swimtwin
       const ReducedModel model = read_reduced_model(std::string(places::models) + "/reference-2d.h5");
       LaboratoryOptions  lab;
       lab.nominal   = open_parameters(model);
-      lab.densities = carried_densities("full", model, parse_scene(model.scene_text, "s.toml"), lab.nominal, 1.);
+      lab.densities = inertial_densities(model, carried_inertia(model, "full", extreme_of(lab.nominal, 1.)));
       lab.truth[TwinParameter::stiffness]     = {0.1, 1., 0.};
       lab.truth[TwinParameter::magnetization] = {0.1, 1., 0.};
       lab.camera.position_sigma_m             = 2e-5;

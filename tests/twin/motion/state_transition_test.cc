@@ -2,7 +2,7 @@
 #include <tests/control/small_model.h>
 #include <tests/rom/example_model.h>
 #include <tests/twin/open_swimmer.h>
-#include <twin/motion/carried_densities.h>
+#include <rom/swimmer/carried_inertia.h>
 #include <twin/motion/state_transition.h>
 
 #include <gtest/gtest.h>
@@ -82,8 +82,7 @@ namespace swimtwin
 
     InertialDensities all_densities(const ReducedModel &model)
     {
-      const Scene scene = parse_scene(model.scene_text, "scene.toml");
-      return carried_densities("full", model, scene, swimmer_parameters(scene), 1.);
+      return inertial_densities(model, {.unsteady = true, .convective = true, .tail = true, .head = true});
     }
 
     TEST(StateTransition, LeadsASwimmerWithInertiaWhereTheIntegratorLeads)
