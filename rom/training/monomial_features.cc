@@ -85,10 +85,9 @@ namespace swimtwin
     return sets;
   }
 
-  Eigen::MatrixXd with_ridge(const Eigen::MatrixXd &A, const Eigen::VectorXd &weight)
+  Eigen::MatrixXd with_ridge(const Eigen::MatrixXd &A, const Eigen::VectorXd &weight, const double ridge)
   {
-    constexpr double ridge = 1e-4;
-    Eigen::MatrixXd  rows(A.rows() + A.cols(), A.cols());
+    Eigen::MatrixXd rows(A.rows() + A.cols(), A.cols());
     rows << A, ridge * weight.norm() * Eigen::MatrixXd::Identity(A.cols(), A.cols());
     return rows;
   }

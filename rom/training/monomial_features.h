@@ -19,8 +19,10 @@ namespace swimtwin
   /// there are too few samples for any.
   std::vector<Eigen::MatrixXi> feature_sets(const Eigen::VectorXd &effects, Eigen::Index n_samples);
 
-  /// Below the design matrix (rows times their `weight`): a weight that keeps coefficients small where samples do not
-  /// tell them, in corners of the region where the tail would touch itself. It is as large against light rows as
-  /// against heavy ones.
-  Eigen::MatrixXd with_ridge(const Eigen::MatrixXd &A, const Eigen::VectorXd &weight);
+  inline constexpr double smallest_ridge = 1e-4;
+
+  /// Below the design matrix (rows times their `weight`): a weight, `ridge`, that keeps coefficients small where
+  /// samples do not tell them, in corners of the region where the tail would touch itself. It is as large against light
+  /// rows as against heavy ones.
+  Eigen::MatrixXd with_ridge(const Eigen::MatrixXd &A, const Eigen::VectorXd &weight, double ridge = smallest_ridge);
 } // namespace swimtwin

@@ -71,7 +71,7 @@ namespace swimtwin
       return columns;
     }
 
-    Eigen::MatrixXd fit_coefficients(const Eigen::MatrixXi &exponents, const SampleTable &table)
+    Eigen::MatrixXd fit_coefficients(const Eigen::MatrixXi &exponents, const SampleTable &table, const double ridge)
     {
       const Eigen::MatrixXd A = table.weight.asDiagonal() * design(exponents, table.z);
       Eigen::MatrixXd       c = Eigen::MatrixXd::Zero(exponents.rows(), table.entries.cols());
@@ -82,7 +82,7 @@ namespace swimtwin
         Eigen::MatrixXd data     = Eigen::MatrixXd::Zero(A.rows() + static_cast<Eigen::Index>(features.size()),
                                                          static_cast<Eigen::Index>(entries.size()));
         data.topRows(A.rows())   = table.weight.asDiagonal() * table.entries(Eigen::all, entries);
-        c(features, entries)     = solve_by_plain_qr(with_ridge(A(Eigen::all, features), table.weight), data);
+        c(features, entries)     = solve_by_plain_qr(with_ridge(A(Eigen::all, features), table.weight, ridge), data);
       }
       return c;
     }
@@ -103,7 +103,7 @@ namespace swimtwin
       return (D * D.transpose() - Eigen::MatrixXd::Identity(n, n)).operatorNorm();
     }
 
-    FitQuality cross_validate(const Eigen::MatrixXi &exponents, const SampleTable &table)
+    FitQuality cross_validate(const Eigen::MatrixXi &exponents, const SampleTable &table, const double ridge)
     {
       constexpr int       n_folds = 5;
       FitQuality          quality{0., 0., static_cast<int>(exponents.rows())};
@@ -114,7 +114,7 @@ namespace swimtwin
         for (int k = 0; k < table.z.rows(); ++k)
           (k > 0 && k % n_folds == fold ? held : kept).push_back(k); // rest is always kept
         const SampleTable     test   = table.rows(held);
-        const Eigen::MatrixXd fitted = design(exponents, test.z) * fit_coefficients(exponents, table.rows(kept));
+        const Eigen::MatrixXd fitted = design(exponents, test.z) * fit_coefficients(exponents, table.rows(kept), ridge);
         for (Eigen::Index k = 0; k < fitted.rows(); ++k)
         {
           errors.push_back(relative_error(fitted.row(k).transpose(), test.entries.row(k).transpose(), table.n));
@@ -145,19 +145,20 @@ namespace swimtwin
       return std::isfinite(largest) ? largest : std::numeric_limits<double>::infinity();
     }
 
-    /// Variables, one row each, where motions may lead beyond what was sampled: shapes at half of the region's size
-    /// beyond its edge, poses up to there.
+    /// Variables, one row each, as far as the resistance is evaluated where motions lead beyond what was sampled:
+    /// shapes at the utmost, poses up to there.
     Eigen::MatrixXd variables_beyond(const SampledRegion &region)
     {
       constexpr int      n_points = 1000;
       constexpr double   beyond   = 1.5;
+      const double       utmost   = saturated(beyond);
       const Eigen::Index r        = region.coordinate_scale_m.size();
       const auto         points   = filling_points(region, {Eigen::VectorXd::Zero(r), 0., 0., 0.}, n_points);
       Eigen::MatrixXd    z(n_points, region.n_variables());
       for (int k = 0; k < n_points; ++k)
       {
-        z.row(k) = beyond * region.variables(points[static_cast<std::size_t>(k)]).transpose();
-        z.row(k).head(r) *= beyond / z.row(k).head(r).norm();
+        z.row(k) = utmost * region.variables(points[static_cast<std::size_t>(k)]).transpose();
+        z.row(k).head(r) *= utmost / z.row(k).head(r).norm();
       }
       return z;
     }
@@ -190,7 +191,7 @@ namespace swimtwin
     for (const int odd : {0, 1})
     {
       features_[odd]                = of_parity(resistance_.exponents, odd);
-      const Eigen::MatrixXd inverse = inverse_factor(with_ridge(A(Eigen::all, features_[odd]), table.weight));
+      const Eigen::MatrixXd inverse = inverse_factor(with_ridge(A(Eigen::all, features_[odd]), table.weight, ridge_));
       covariance_[odd]              = inverse * inverse.transpose();
     }
     resistance_.coordinate_scale_m = region.coordinate_scale_m;
@@ -214,35 +215,45 @@ namespace swimtwin
       for (int k = 1; k < table.z.rows(); ++k)
         if (k % 2 == half)
           rows.push_back(k);
-      resistance_.half_fits.push_back(fit_coefficients(resistance_.exponents, table.rows(rows)));
+      resistance_.half_fits.push_back(fit_coefficients(resistance_.exponents, table.rows(rows), ridge_));
     }
   }
 
+  /// Of the fits that are sound, with each set and each ridge, the smallest that is nearly as good as the best.
   void ResistanceFit::fit_chosen_features(const std::vector<Eigen::MatrixXi> &sets, const SampleTable &table,
                                           const double nearly)
   {
-    std::vector<FitQuality> qualities;
-    double                  best = std::numeric_limits<double>::infinity();
-    for (const auto &set : sets)
+    struct Candidate
     {
-      qualities.push_back(cross_validate(set, table));
-      best = std::min(best, qualities.back().rms);
-    }
-    std::size_t chosen = 0;
-    while (qualities[chosen].rms > nearly * best)
-      ++chosen;
+      std::size_t set;
+      double      ridge;
+      FitQuality  quality;
+    };
+    std::vector<Candidate> candidates;
+    for (std::size_t i = 0; i < sets.size(); ++i)
+      for (const double ridge : {smallest_ridge, 1e-3, 3e-3, 1e-2})
+        candidates.push_back({i, ridge, cross_validate(sets[i], table, ridge)});
     // Sound: nowhere beyond the samples is the condition more than some times that of the worst of them.
     constexpr double      times  = 4.;
     const double          bound  = times * largest_condition(table.entries, table.n);
     const Eigen::MatrixXd beyond = variables_beyond(region_);
-    for (;; --chosen)
-    {
-      quality_                 = qualities[chosen];
-      resistance_.exponents    = sets[chosen];
-      resistance_.coefficients = fit_coefficients(sets[chosen], table);
-      if (chosen == 0 || largest_condition(design(sets[chosen], beyond) * resistance_.coefficients, table.n) <= bound)
-        return;
-    }
+    const auto            fit    = [&](const Candidate &candidate) {
+      quality_                 = candidate.quality;
+      ridge_                   = candidate.ridge;
+      resistance_.exponents    = sets[candidate.set];
+      resistance_.coefficients = fit_coefficients(resistance_.exponents, table, ridge_);
+      return largest_condition(design(resistance_.exponents, beyond) * resistance_.coefficients, table.n) <= bound;
+    };
+    std::sort(candidates.begin(), candidates.end(),
+              [](const auto &a, const auto &b) { return a.quality.rms < b.quality.rms; });
+    const auto   best   = std::find_if(candidates.begin(), candidates.end(), fit);
+    const double enough = nearly * (best == candidates.end() ? 0. : best->quality.rms);
+    std::stable_sort(candidates.begin(), candidates.end(), [](const auto &a, const auto &b) { return a.set < b.set; });
+    if (enough == 0.)
+      fit(candidates.front()); // nothing is sound: the fewest monomials
+    else
+      std::find_if(candidates.begin(), candidates.end(),
+                   [&](const Candidate &candidate) { return candidate.quality.rms <= enough && fit(candidate); });
   }
 
   double ResistanceFit::leverage(const ShapePoint &point) const

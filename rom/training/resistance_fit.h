@@ -45,9 +45,9 @@ namespace swimtwin
   };
 
   /// Which monomials matter is told by `effects`: how much each variable at the region's edge changes the scaled
-  /// factor. Their products, raised to the powers of a monomial, must exceed a bound; the bound is chosen by
-  /// cross-validation: the smallest set that is within `nearly` times of the best, or a smaller one where that is wild
-  /// beyond the region. The first sample is that at rest.
+  /// factor. Their products, raised to the powers of a monomial, must exceed a bound; the bound, and a penalty on the
+  /// coefficients, are chosen by cross-validation: the smallest set that is within `nearly` times of the best, of those
+  /// that are not wild beyond the region. The first sample is that at rest.
   /// All bending coordinates are odd. The halves of the samples are fitted by themselves as well, every other one.
   class ResistanceFit
   {
@@ -77,6 +77,7 @@ namespace swimtwin
     SampledRegion                   region_;
     ReducedResistance               resistance_;
     FitQuality                      quality_;
+    double                          ridge_ = 0.;
     std::array<std::vector<int>, 2> features_;   ///< even, odd
     std::array<Eigen::MatrixXd, 2>  covariance_; ///< (A^T A)^-1 of their design matrices
   };

@@ -51,24 +51,31 @@ namespace swimtwin
   Wandering wandering(const std::vector<SnapshotSet> &sets, const Swimmer<dim> &swimmer,
                       std::vector<ShapePoint> &points)
   {
-    // Heights that the snapshots do not tell stay at zero: their damping is a ten-thousandth of what they tell best.
+    // What swings and bends push the head sideways, told apart from where a run began, turned perhaps, and from how it
+    // went across since: an offset and a slope of every run's own. Heights that the snapshots do not tell stay at zero:
+    // their damping is a ten-thousandth of what they tell best.
     constexpr double   damping = 1e-4;
     const auto         m       = static_cast<Eigen::Index>(points.size());
-    const Eigen::Index r       = points.front().q.size();
+    const Eigen::Index r = points.front().q.size(), n = r + 1 + 2 * static_cast<Eigen::Index>(sets.size());
     const double       length = swimmer.scene().body_length_m(), rest_m = swimmer.pose_at_rest().center[1];
-    Eigen::VectorXd    heights = Eigen::VectorXd::Zero(m + r + 1);
-    Eigen::MatrixXd    A       = Eigen::MatrixXd::Zero(m + r + 1, r + 1);
-    Eigen::Index       row     = 0;
+    Eigen::VectorXd    heights = Eigen::VectorXd::Zero(m + n);
+    Eigen::MatrixXd    A       = Eigen::MatrixXd::Zero(m + n, n);
+    Eigen::Index       row = 0, own = r + 1;
     for (const auto &set : sets)
+    {
+      const auto last = static_cast<double>(std::max<Eigen::Index>(1, set.pose.rows() - 1));
       for (Eigen::Index k = 0; k < set.pose.rows(); ++k, ++row)
       {
-        A.row(row) << std::sin(points[row].angle_rad), points[row].q.transpose() / length;
+        A.row(row).head(r + 1) << std::sin(points[row].angle_rad), points[row].q.transpose() / length;
+        A.row(row).segment<2>(own) << 1., static_cast<double>(k) / last;
         heights(row) = set.pose(k, 1) - rest_m;
       }
-    A.bottomRows(r + 1)         = damping * A.topRows(m).norm() * Eigen::MatrixXd::Identity(r + 1, r + 1);
+      own += 2;
+    }
+    A.bottomRows(n)             = damping * A.topLeftCorner(m, r + 1).norm() * Eigen::MatrixXd::Identity(n, n);
     const Eigen::VectorXd found = solve_by_qr(A, heights);
 
-    Wandering result{{found(0), found.tail(r) / length}, {reach_along_x(sets, swimmer), 0.}};
+    Wandering result{{found(0), found.segment(1, r) / length}, {reach_along_x(sets, swimmer), 0.}};
     for (Eigen::Index k = 0; k < m; ++k)
     {
       points[k].drift_y_m = heights(k) - result.usual.height_m(points[k]);
