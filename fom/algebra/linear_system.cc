@@ -19,14 +19,6 @@ namespace swimtwin
       return std::all_of(values.begin(), values.end(), [](const double value) { return std::isfinite(value); });
     }
 
-    void use_factors(const KSP ksp, const PCType type)
-    {
-      PC pc;
-      check_petsc(KSPGetPC(ksp, &pc), "made a solver");
-      check_petsc(PCSetType(pc, type), "made a solver");
-      check_petsc(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS), "chose MUMPS");
-    }
-
     void set_up_iteration(const KSP ksp, const KSPType type, const PetscInt restart)
     {
       check_petsc(KSPSetType(ksp, type), "made a solver");
@@ -50,44 +42,6 @@ namespace swimtwin
       return value;
     }
 
-    /// Before factors are made: MUMPS's own matrix, for settings.
-    Mat factors_to_be(const KSP ksp)
-    {
-      PC  pc;
-      Mat factors;
-      check_petsc(KSPGetPC(ksp, &pc), "made a solver");
-      check_petsc(PCFactorSetUpMatSolverType(pc), "made a solver");
-      check_petsc(PCFactorGetMatrix(pc, &factors), "made a solver");
-      return factors;
-    }
-
-    /// Why MUMPS failed: its INFOG(1).
-    PetscInt failure_of_mumps(const KSP ksp)
-    {
-      PetscInt code;
-      check_petsc(MatMumpsGetInfog(factors_to_be(ksp), 1, &code), "factorised");
-      return code;
-    }
-
-    /// PETSc does not call MUMPS again after a failure: with new factors, of the same kind, that may take more
-    /// workspace.
-    void start_factors_anew(const KSP ksp, const Mat matrix, const PetscInt extra_percent)
-    {
-      PetscInt ordering; // chosen by hand for symmetric factors
-      check_petsc(MatMumpsGetIcntl(factors_to_be(ksp), 12, &ordering), "set up MUMPS");
-      check_petsc(KSPReset(ksp), "dropped failed factors");
-      check_petsc(KSPSetOperators(ksp, matrix, matrix), "set up a solver");
-      check_petsc(MatMumpsSetIcntl(factors_to_be(ksp), 12, ordering), "set up MUMPS");
-      check_petsc(MatMumpsSetIcntl(factors_to_be(ksp), 14, extra_percent), "set up MUMPS");
-    }
-
-    /// Of the upper triangle alone. MUMPS orders by the pattern (ICNTL(12) = 1), not by the first values it sees: a
-    /// resumed run sees others, and repeats the arithmetic all the same.
-    void use_symmetric_factors(const KSP ksp)
-    {
-      use_factors(ksp, PCCHOLESKY);
-      check_petsc(MatMumpsSetIcntl(factors_to_be(ksp), 12, 1), "set up MUMPS");
-    }
   } // namespace
 
   LinearSystem::LinearSystem(const MPI_Comm communicator, const LinearSolverOptions &options)
@@ -114,7 +68,7 @@ namespace swimtwin
     VecDestroy(&residual_);
     VecDestroy(&solution_);
     VecDestroy(&rhs_);
-    KSPDestroy(&ksp_);
+    factors_.clear();
     MatDestroy(&matrix_);
     has_factors_ = false;
   }
@@ -142,11 +96,9 @@ namespace swimtwin
     check_petsc(VecGetSize(rhs_, &size_), "sized vectors");
     check_petsc(VecScatterCreateToAll(solution_, &gather_, &gathered_), "made vectors");
 
-    check_petsc(KSPCreate(communicator_, &ksp_), "made a solver");
-    check_petsc(KSPSetOperators(ksp_, matrix_, matrix_), "made a solver");
-    set_up_iteration(ksp_, KSPGMRES, gmres_restart);
-    check_petsc(KSPConvergedDefaultSetUIRNorm(ksp_), "made a solver");
-    use_factors(ksp_, options_.positive_definite ? PCCHOLESKY : PCLU);
+    factors_.set_matrix(communicator_, matrix_, options_.positive_definite);
+    set_up_iteration(factors_.solver(), KSPGMRES, gmres_restart);
+    check_petsc(KSPConvergedDefaultSetUIRNorm(factors_.solver()), "made a solver");
   }
 
   void LinearSystem::set_matrix(const std::vector<double> &values, const bool is_symmetric)
@@ -212,11 +164,9 @@ namespace swimtwin
 
   void LinearSystem::apply_turned_factors(const Vec x, const Vec y)
   {
-    PC pc;
-    check_petsc(KSPGetPC(ksp_, &pc), "solved");
     VecCopy(x, turned_);
     axes_.to_factors(turned_);
-    check_petsc(PCApply(pc, turned_, y), "solved");
+    factors_.apply(turned_, y);
     axes_.from_factors(y);
   }
 
@@ -230,10 +180,8 @@ namespace swimtwin
   {
     const ScopedCpuTime time(counts_.factorization_cpu_s);
     ++counts_.n_factorizations;
-    has_factors_         = blocks_->set_up(matrix_, masses_, matrix_is_symmetric_);
-    solves_with_factors_ = 0;
-    effort_with_factors_ = options_.factorization_effort;
-    factors_are_worn_    = false;
+    has_factors_ = blocks_->set_up(matrix_, masses_, matrix_is_symmetric_);
+    kept_.make(options_.factorization_effort);
     return has_factors_;
   }
 
@@ -258,52 +206,18 @@ namespace swimtwin
 
   bool LinearSystem::solve_by_blocks(const std::vector<double> &guess)
   {
-    return (has_factors_ && !factors_are_worn_ && iterate_with_blocks(guess)) ||
+    return (has_factors_ && !kept_.are_worn() && iterate_with_blocks(guess)) ||
            (set_up_blocks() && iterate_with_blocks(guess));
-  }
-
-  bool LinearSystem::set_up_factors()
-  {
-    check_petsc(KSPSetUp(ksp_), "factorised");
-    PC             pc;
-    PCFailedReason failure;
-    check_petsc(KSPGetPC(ksp_, &pc), "factorised");
-    check_petsc(PCGetFailedReason(pc, &failure), "factorised");
-    return failure == PC_NOERROR;
-  }
-
-  bool LinearSystem::set_up_factors_in_larger_workspace()
-  {
-    // MUMPS sizes its workspace before it sees which pivots it must put off: -8 and -9 say that it was too small. Its
-    // analysis (-5, -7) and its factors (-13) may find no memory at all.
-    for (const PetscInt extra_percent : {100, 400})
-    {
-      const PetscInt code = failure_of_mumps(ksp_);
-      if (code == -5 || code == -7 || code == -13)
-        throw OutOfMemory("factorised");
-      if (code != -8 && code != -9)
-        return false;
-      start_factors_anew(ksp_, matrix_, extra_percent);
-      if (set_up_factors())
-        return true;
-    }
-    return false;
   }
 
   bool LinearSystem::factorize()
   {
     const ScopedCpuTime time(counts_.factorization_cpu_s);
     ++counts_.n_factorizations;
-    check_petsc(KSPSetReusePreconditioner(ksp_, PETSC_FALSE), "set up a solver");
-    // Tell the preconditioner that the values changed, then factorise here so that its time is counted here.
-    check_petsc(KSPSetOperators(ksp_, matrix_, matrix_), "set up a solver");
-    has_factors_     = set_up_factors() || set_up_factors_in_larger_workspace();
+    has_factors_     = factors_.compute();
     factors_are_old_ = !has_factors_;
     axes_.note_factors();
-    solves_with_factors_ = 0;
-    effort_with_factors_ = options_.factorization_effort;
-    if (!has_factors_)
-      check_petsc(KSPReset(ksp_), "dropped failed factors");
+    kept_.make(options_.factorization_effort);
     return has_factors_;
   }
 
@@ -319,13 +233,13 @@ namespace swimtwin
   {
     const ScopedCpuTime time(counts_.solve_cpu_s);
     set_guess(guess);
-    check_petsc(KSPSetReusePreconditioner(ksp_, PETSC_TRUE), "set up a solver");
+    check_petsc(KSPSetReusePreconditioner(factors_.solver(), PETSC_TRUE), "set up a solver");
     // Relative to the solution: its guess has that size. Without one the first residual has it; it also bounds from
     // below what a guess that is far too small would ask for.
     double guess_norm;
     VecNorm(solution_, NORM_2, &guess_norm);
     const bool has_guess = guess_norm > 0.;
-    const KSP  ksp       = has_axes() ? turned_ksp_ : ksp_;
+    const KSP  ksp       = has_axes() ? turned_ksp_ : factors_.solver();
     check_petsc(KSPSetTolerances(ksp, (has_guess ? 1e-3 : 1.) * tolerance_,
                                  has_guess ? tolerance_ * guess_norm : 1e-300, 1e10, options_.max_stale_iterations),
                 "set up a solver");
@@ -379,8 +293,6 @@ namespace swimtwin
     const double        round_off        = std::max(options_.tolerance, 1e-9); // at most, without that proof
     constexpr double    most_round_off = 1e-6, rounded_matrix = 1e-14;
     const ScopedCpuTime time(counts_.solve_cpu_s);
-    PC                  pc;
-    check_petsc(KSPGetPC(ksp_, &pc), "solved");
     // No guess: a residual costs more than what it would save.
     VecZeroEntries(solution_);
     VecCopy(rhs_, residual_);
@@ -389,7 +301,7 @@ namespace swimtwin
     for (int n = 1; n <= most_corrections; ++n)
     {
       double change, size;
-      check_petsc(PCApply(pc, residual_, correction_), "solved");
+      factors_.apply(residual_, correction_);
       VecAXPY(solution_, 1., correction_);
       VecNorm(correction_, NORM_2, &change);
       VecNorm(solution_, NORM_2, &size);
@@ -407,12 +319,8 @@ namespace swimtwin
 
   void LinearSystem::note_effort(const int iterations)
   {
-    // Old factors have served their time when a solve costs more than the average since they were made, their making
-    // included: the marginal cost then raises the mean.
     counts_.n_iterations += iterations;
-    effort_with_factors_ += iterations;
-    ++solves_with_factors_;
-    factors_are_worn_ = iterations * solves_with_factors_ > effort_with_factors_;
+    kept_.note_solve(iterations);
   }
 
   bool LinearSystem::solve(std::vector<double> &solution)
@@ -427,17 +335,17 @@ namespace swimtwin
     }
     if (has_factors_ && !factors_are_old_)
       converged = refine();
-    else if (has_factors_ && options_.reuse_factorization && !factors_are_worn_)
+    else if (has_factors_ && options_.reuse_factorization && !kept_.are_worn())
       converged = iterate_with_old_factors(solution);
     if (!converged && options_.symmetric && !matrix_is_symmetric_)
-      use_factors(ksp_, PCLU);
+      factors_.use_whole();
     else if (!converged && options_.symmetric)
     {
       // Half the work; where pivots fail it, what follows takes the whole matrix.
-      use_symmetric_factors(ksp_);
+      factors_.use_upper_triangle();
       converged = factorize() && refine();
       if (!converged)
-        use_factors(ksp_, PCLU);
+        factors_.use_whole();
     }
     if (!converged)
       converged = factorize() && refine();
@@ -463,16 +371,13 @@ namespace swimtwin
   bool LinearSystem::solve_together(std::vector<std::vector<double>> &columns)
   {
     if (options_.symmetric)
-      use_symmetric_factors(ksp_);
+      factors_.use_upper_triangle();
     if (!factorize())
       return false;
     const ScopedCpuTime time(counts_.solve_cpu_s);
     counts_.n_solves += columns.size();
     const PetscInt n = columns.size(), n_local = last_row_ - first_row_;
-    Mat            B, X, factors;
-    PC             pc;
-    check_petsc(KSPGetPC(ksp_, &pc), "solved");
-    check_petsc(PCFactorGetMatrix(pc, &factors), "solved");
+    Mat            B, X;
     for (Mat *M : {&B, &X})
       check_petsc(MatCreateDense(communicator_, n_local, PETSC_DECIDE, size_, n, nullptr, M),
                   "made a block of vectors");
@@ -481,7 +386,7 @@ namespace swimtwin
     for (PetscInt j = 0; j < n; ++j)
       std::copy_n(columns[j].begin() + first_row_, n_local, local + j * n_local);
     check_petsc(MatDenseRestoreArrayWrite(B, &local), "filled a block of vectors");
-    check_petsc(MatMatSolve(factors, B, X), "solved");
+    factors_.apply(B, X);
 
     const double *solved;
     check_petsc(MatDenseGetArrayRead(X, &solved), "solved");

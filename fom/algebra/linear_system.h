@@ -3,6 +3,8 @@
 
 #include <datasets/scene/scene.h>
 #include <fom/algebra/block_preconditioner.h>
+#include <fom/algebra/kept_factors.h>
+#include <fom/algebra/mumps_factors.h>
 #include <fom/algebra/turned_axes.h>
 
 #include <petscksp.h>
@@ -101,8 +103,6 @@ namespace swimtwin
     void note_effort(int iterations);
     bool factorize();
     void apply_turned_factors(Vec x, Vec y);
-    bool set_up_factors();
-    bool set_up_factors_in_larger_workspace();
     /// From the solution as it is, to the tolerances of this solver.
     bool iterate(KSP ksp);
     bool iterate_with_old_factors(const std::vector<double> &guess);
@@ -132,16 +132,16 @@ namespace swimtwin
     Vec                                  correction_ = nullptr;
     Vec                                  gathered_   = nullptr;
     VecScatter                           gather_     = nullptr;
-    KSP                                  ksp_        = nullptr;
-    KSP                                  turned_ksp_ = nullptr; ///< with the factors of ksp_, in turned axes
+    MumpsFactors                         factors_;
+    KSP                                  turned_ksp_ = nullptr; ///< with the same factors, in turned axes
     Vec                                  turned_     = nullptr;
     TurnedAxes                           axes_;
     Vec                                  masses_    = nullptr; ///< of pressures
     KSP                                  block_ksp_ = nullptr;
     PetscInt                             size_ = 0, first_row_ = 0, last_row_ = 0;
     std::unique_ptr<BlockPreconditioner> blocks_;
-    bool                                 has_factors_ = false, factors_are_old_ = true, factors_are_worn_ = false;
+    bool                                 has_factors_ = false, factors_are_old_ = true;
     bool                                 matrix_is_symmetric_ = true, is_iterative_ = false;
-    int                                  solves_with_factors_ = 0, effort_with_factors_ = 0;
+    KeptFactors                          kept_; ///< or blocks
   };
 } // namespace swimtwin

@@ -108,8 +108,8 @@ namespace swimtwin
                                                        "[limits]\nmagnitude_T = 7e-3\n[search]\nstarts = 0\n"
                                                        "max_evaluations = 20\ngradient_free_budget = 0\n");
     const Outcome     outcome =
-        run_tool({"optimize", first, goal, "--refine", "1", "--refine-target", "0.0001%", "--replay-periods", "2",
-                  "--replay-steps", "80", "--no-picture", "--output", results});
+        run_tool({"optimize", first, goal, "--refine", "1", "--refine-target", "0.0001%", "--inertia", "none",
+                  "--replay-periods", "2", "--replay-steps", "80", "--no-picture", "--output", results});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(outcome.err.find("after 1 of 1 refinements the models differ by"), std::string::npos) << outcome.err;
     const Json plan = read_json_file(folder.path / "plan" / "plan.json", "the plan", "");
