@@ -72,16 +72,15 @@ namespace swimtwin
 
   std::optional<Remedy> next_remedy(const std::vector<Attempt> &attempts)
   {
-    // A finer fit costs nothing, so that its failure says little: samples may still be what is missing.
     const bool samples_failed = samples_have_failed(attempts);
     const bool mode_failed    = last_mode_failed(attempts);
     if (samples_failed && mode_failed)
       return {};
+    // It costs nothing, whatever the error comes from; its failure says little: samples may still be what is missing.
+    if (!fit_is_finest(attempts))
+      return Remedy::finer_fit;
     const bool is_of_fit = attempts.back().fit_share >= .5 * attempts.back().error;
-    const bool of_fit    = (is_of_fit || mode_failed) && !samples_failed;
-    if (!of_fit)
-      return Remedy::another_mode;
-    return fit_is_finest(attempts) ? Remedy::more_samples : Remedy::finer_fit;
+    return (is_of_fit || mode_failed) && !samples_failed ? Remedy::more_samples : Remedy::another_mode;
   }
 
   std::string cause_of(const TrainingRecord &record)

@@ -29,9 +29,9 @@ namespace swimtwin
   /// Root mean square over the held-out runs, relative.
   double fit_share(const TrainingRecord &record);
 
-  /// After these attempts, of which the last missed the target: the fit is mended if it makes at least half of the
-  /// error, else a mode is added; what did not lower the error by a tenth gives way to the other. Nothing if neither
-  /// did.
+  /// After these attempts, of which the last missed the target: a finer fit on the same samples, which costs nothing;
+  /// then samples are added if the fit makes at least half of the error, else a mode; what did not lower the error by a
+  /// tenth gives way to the other. Nothing if neither did.
   std::optional<Remedy> next_remedy(const std::vector<Attempt> &attempts);
 
   /// "the fit of the resistance makes 0.4 % of it, the rest is the modes' and the place's"

@@ -19,10 +19,16 @@ namespace swimtwin
     EXPECT_EQ(next_remedy({first(.03, .02), {Remedy::finer_fit, .04, .03}}), Remedy::more_samples); // it costs nothing
   }
 
-  TEST(Aim, AddsAModeWhereTheFitIsNot)
+  TEST(Aim, AddsAModeWhereTheFitIsNotOnceItIsFinest)
   {
-    EXPECT_EQ(next_remedy({first(.03, .005)}), Remedy::another_mode);
-    EXPECT_EQ(next_remedy({first(.03, .005), {Remedy::another_mode, .015, .002}}), Remedy::another_mode);
+    std::vector<Attempt> attempts{first(.03, .005)};
+    EXPECT_EQ(next_remedy(attempts), Remedy::finer_fit);
+    attempts.push_back({Remedy::finer_fit, .029, .004});
+    EXPECT_EQ(next_remedy(attempts), Remedy::another_mode);
+    attempts.push_back({Remedy::another_mode, .015, .002});
+    EXPECT_EQ(next_remedy(attempts), Remedy::finer_fit);
+    attempts.push_back({Remedy::finer_fit, .015, .002});
+    EXPECT_EQ(next_remedy(attempts), Remedy::another_mode);
   }
 
   TEST(Aim, GivesWayToTheOtherRemedyWhereOneDoesNotHelp)
