@@ -27,7 +27,9 @@ namespace swimtwin
 
   struct FitQuality
   {
-    double rms = 0., largest = 0.; ///< relative error of the resistance, |C^-1 R C^-T - 1|, over held-back samples
+    /// Relative error of the resistance, |C^-1 R C^-T - 1|, of held-back samples: root mean square of the nine tenths
+    /// that are least off, and the largest.
+    double rms = 0., largest = 0.;
     int    n_features = 0;
   };
 
@@ -47,7 +49,8 @@ namespace swimtwin
   /// Which monomials matter is told by `effects`: how much each variable at the region's edge changes the scaled
   /// factor. Their products, raised to the powers of a monomial, must exceed a bound; the bound, and a penalty on the
   /// coefficients, are chosen by cross-validation: the smallest set that is within `nearly` times of the best, of those
-  /// that are not wild beyond the region. The first sample is that at rest.
+  /// that are not wild beyond the region. The first sample is that at rest; others count less the farther their C is
+  /// from its.
   /// All bending coordinates are odd. The halves of the samples are fitted by themselves as well, every other one.
   class ResistanceFit
   {
