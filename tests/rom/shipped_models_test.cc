@@ -83,7 +83,7 @@ namespace swimtwin
     EXPECT_LE(model.record.velocity_error_max, 0.01);
   }
 
-  INSTANTIATE_TEST_SUITE_P(All, ShippedModels, ::testing::Values("reference-2d", "open-2d", "reference-3d"));
+  INSTANTIATE_TEST_SUITE_P(All, ShippedModels, ::testing::Values("reference-2d", "open-2d", "reference-3d", "open-3d"));
 
   namespace
   {
@@ -257,5 +257,6 @@ namespace swimtwin
   TEST(ShippedSpatialModel, ErrorOfCarriedInertiaIsBounded)
   {
     expect_bounded_error_of_inertia("reference-3d", "inertia-3d.csv", 7);
+    expect_bounded_error_of_inertia("open-3d", "inertia-open-3d.csv", 1);
   }
 } // namespace swimtwin
