@@ -66,10 +66,9 @@ namespace swimtwin
     if (const double error = error_of_carried_inertia(shares.together(), extreme.group_of_domain(scene));
         carried.of_fluid() && error > noticed_share)
     {
-      const std::string far = fmt::format(
-          "{}, inertia is an estimated {:.2g} % of the displacement, and the reduced swimmer knows it to some {:.2g} % "
-          "of the displacement",
-          place, 100. * shares.together(), 100. * error);
+      const std::string far =
+          fmt::format("{}, inertia is {}, and the reduced swimmer knows it to some {:.2g} % of the displacement", place,
+                      share_of_displacement(shares.together()), 100. * error);
       if (error > largest_carried_error && !allowed)
         throw InputError(fmt::format("{}; {}, {}", far, remedy, all_the_same));
       return far;

@@ -71,7 +71,9 @@ namespace swimtwin
 
   std::string share_of_displacement(const double share)
   {
-    return fmt::format("an estimated {:.2g} % of the displacement", 100. * share);
+    const double percent = 100. * share;
+    return fmt::format("an estimated {} % of the displacement",
+                       percent < 10. ? fmt::format("{:.2g}", percent) : fmt::format("{:.0f}", percent));
   }
 
   std::string inertia_warning(const Scene &scene)
