@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 
 namespace swimtwin
@@ -111,6 +112,39 @@ namespace swimtwin
       const Eigen::MatrixXd truth = in_channel(point), R = surrogate.resistance(point.q, point.angle_rad, height_m);
       EXPECT_LT((R - truth).norm(), 2e-3 * truth.norm()) << drift_m;
     }
+  }
+
+  // In two corners of the region the tail nearly touches itself, and the resistance is nine times that beside it: no
+  // monomials follow that, and they must not try where swimmers are.
+  TEST_F(ResistanceFitTest, IsNotSpoiltByCornersThatNoPolynomialFollows)
+  {
+    const auto cornered = [&](const Eigen::VectorXd &z) {
+      Eigen::MatrixXd S = Eigen::MatrixXd::Identity(5, 5);
+      S(1, 1) = S(3, 3) = z(0) * z(1) < -.38 ? 3. : 1.;
+      return Eigen::MatrixXd(S * resistance(z) * S);
+    };
+    std::vector<ResistanceSample> all;
+    int                           n_in_corners = 0;
+    for (const auto &sample : sampled(400))
+    {
+      const Eigen::VectorXd z = region.variables(sample.point);
+      n_in_corners += z(0) * z(1) < -.38;
+      all.push_back({sample.point, cornered(z)});
+    }
+    ASSERT_GT(n_in_corners, 5);
+    const ReducedResistance   fitted = ResistanceFit(all, region, Eigen::Vector2d(.5, .4)).resistance();
+    const ResistanceSurrogate surrogate(fitted, Eigen::Vector2i(-1, -1));
+    double                    worst = 0.;
+    for (int k = 0; k < 360; k += 10)
+    {
+      const double          angle = k * std::numbers::pi / 180.;
+      const Eigen::Vector2d z     = .4 * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+      const Eigen::MatrixXd R     = surrogate.resistance(z.cwiseProduct(region.coordinate_scale_m), 0.);
+      worst                       = std::max(worst, (R - resistance(z)).norm() / resistance(z).norm());
+    }
+    std::printf("%d of %d samples in corners: off by %.2g with %d monomials\n", n_in_corners,
+                static_cast<int>(all.size()), worst, static_cast<int>(fitted.exponents.rows()));
+    EXPECT_LT(worst, 5e-3);
   }
 
   // Runge's function: high degrees fit it best within the samples, and run away beyond them.
