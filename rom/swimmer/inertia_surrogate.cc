@@ -1,13 +1,15 @@
 #include <rom/swimmer/inertia_surrogate.h>
 
+#include <rom/swimmer/lower_triangular.h>
+#include <rom/swimmer/wide_product.h>
+
 #include <cmath>
 
 namespace swimtwin
 {
   namespace
   {
-    /// F_1 F_2^T + F_2 F_1^T. (Here and below products are lazy: of so few rows Eigen's packed ones take twice as
-    /// long.)
+    /// F_1 F_2^T + F_2 F_1^T.
     VelocityMatrix symmetric_product(const VelocityMatrix &F_1, const VelocityMatrix &F_2)
     {
       const VelocityMatrix half = F_1.lazyProduct(F_2.transpose());
@@ -17,12 +19,15 @@ namespace swimtwin
 
   InertiaSurrogate::InertiaSurrogate(const ReducedInertia &inertia, const InertialDensities &densities,
                                      const Eigen::VectorXi &parity, const Eigen::VectorXi &velocity_parity)
-      : n_(static_cast<int>(velocity_parity.size())), monomials_(inertia.exponents, parity)
+      : n_(static_cast<int>(velocity_parity.size())), velocity_parity_(velocity_parity),
+        monomials_(inertia.exponents, parity)
   {
     std::vector<Term> pairs, triples;
     for (int i = 0; i < n_; ++i)
       for (int j = 0; j <= i; ++j)
         pairs.push_back({i, j, -1});
+    for (const Term &pair : pairs)
+      pairs_[velocity_parity[pair.i] * velocity_parity[pair.j] > 0 ? 0 : 1].push_back(pair);
     for (int i = 0; i < n_; ++i)
       for (const Term &pair : pairs)
         triples.push_back({i, pair.i, pair.j});
@@ -94,8 +99,13 @@ namespace swimtwin
   void InertiaSurrogate::Polynomials::evaluate(const Eigen::Ref<const Eigen::MatrixXd> &monomials,
                                                Eigen::Ref<Eigen::MatrixXd>              values) const
   {
-    values.topRows(even.rows()).noalias()   = even * monomials.topRows(even.cols());
-    values.bottomRows(odd.rows()).noalias() = odd * monomials.bottomRows(odd.cols());
+    for (Eigen::Index c = 0; c < monomials.cols(); ++c)
+    {
+      const double *const monomial = monomials.col(c).data();
+      double *const       value    = values.col(c).data();
+      set_product(even, monomial, value);
+      set_product(odd, monomial + even.cols(), value + even.rows());
+    }
   }
 
   InertiaValues InertiaSurrogate::make() const
@@ -112,8 +122,9 @@ namespace swimtwin
     v.quadratic_entries = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(quadratic_.terms.size()), 1 + m);
     for (auto &material : v.materials)
     {
-      material.entries = Eigen::MatrixXd::Zero(n_ * (n_ + 1) / 2, 2 + m);
-      material.factor = material.factor_rate = VelocityMatrix::Zero(n_, n_);
+      material.entries  = Eigen::MatrixXd::Zero(n_ * (n_ + 1) / 2, 2 + m);
+      material.relative = material.relative_rate = material.factor = material.factor_rate =
+          VelocityMatrix::Zero(n_, n_);
     }
     return v;
   }
@@ -137,37 +148,47 @@ namespace swimtwin
       const Eigen::Index last = at.entries.cols() - 1;
       mass.entries.evaluate(v.rates.leftCols(1), at.entries.leftCols(1));
       mass.entries.evaluate(v.rates.rightCols(1), at.entries.rightCols(1));
-      VelocityMatrix C = VelocityMatrix::Zero(n_, n_), C_rate = C;
       for (std::size_t t = 0; t < mass.entries.terms.size(); ++t)
       {
         const Term  &term  = mass.entries.terms[t];
         const auto   row   = static_cast<Eigen::Index>(t);
         const double value = at.entries(row, 0), rate = at.entries(row, last);
-        C(term.i, term.j)      = term.i == term.j ? std::exp(value) : value;
-        C_rate(term.i, term.j) = term.i == term.j ? C(term.i, term.i) * rate : rate;
+        at.relative(term.i, term.j)      = term.i == term.j ? std::exp(value) : value;
+        at.relative_rate(term.i, term.j) = term.i == term.j ? at.relative(term.i, term.i) * rate : rate;
       }
-      at.factor      = mass.factor_at_rest.lazyProduct(C);
-      at.factor_rate = mass.factor_at_rest.lazyProduct(C_rate);
-      v.mass += mass.density * at.factor.lazyProduct(at.factor.transpose());
+      set_lower_product(mass.factor_at_rest, at.relative, at.factor);
+      add_lower_square(mass.density, at.factor, v.mass);
     }
+    v.mass.triangularView<Eigen::StrictlyUpper>() = v.mass.transpose();
   }
 
   void InertiaSurrogate::set_force(const VelocityVector &velocity, InertiaValues &v) const
   {
     v.force.setZero();
     for (std::size_t material = 0; material < masses_.size(); ++material)
-      if (const double density = masses_[material].density; density > 0.) // 1/2 dM/dt xi
+      if (const auto &[density, L0, entries, gradient] = masses_[material]; density > 0.) // 1/2 dM/dt xi
       {
-        const auto          &at      = v.materials[material];
-        const VelocityVector F_xi    = at.factor.transpose().lazyProduct(velocity),
-                             rate_xi = at.factor_rate.transpose().lazyProduct(velocity);
-        v.force += .5 * density * (at.factor.lazyProduct(rate_xi) + at.factor_rate.lazyProduct(F_xi));
+        const auto          &C = v.materials[material].relative, &C_rate = v.materials[material].relative_rate;
+        const VelocityVector at_rest = transposed_lower_times(L0, velocity);
+        const VelocityVector half    = lower_times(C, transposed_lower_times(C_rate, at_rest)) +
+                                    lower_times(C_rate, transposed_lower_times(C, at_rest));
+        v.force += .5 * density * lower_times(L0, half);
       }
-    for (std::size_t t = 0; t < quadratic_.terms.size(); ++t)
+    std::array<Eigen::VectorXd, 2> products; // of velocities: even, odd
+    for (std::size_t odd : {0, 1})
     {
-      const Term &term = quadratic_.terms[t];
-      v.force[term.i] += v.quadratic_entries(static_cast<Eigen::Index>(t), 0) * velocity[term.j] * velocity[term.k];
+      products[odd].resize(static_cast<Eigen::Index>(pairs_[odd].size()));
+      for (std::size_t pair = 0; pair < pairs_[odd].size(); ++pair)
+        products[odd][static_cast<Eigen::Index>(pair)] = velocity[pairs_[odd][pair].i] * velocity[pairs_[odd][pair].j];
     }
+    Eigen::Index row = 0;
+    for (const bool even : {true, false}) // entries; those of one force follow each other
+      for (int i = 0; i < n_; ++i)
+      {
+        const Eigen::VectorXd &of_force = products[(velocity_parity_[i] > 0) == even ? 0 : 1];
+        v.force[i] += v.quadratic_entries.col(0).segment(row, of_force.size()).dot(of_force);
+        row += of_force.size();
+      }
   }
 
   void InertiaSurrogate::evaluate(const Eigen::VectorXd &z, const Eigen::VectorXd &z_rate,
@@ -186,8 +207,11 @@ namespace swimtwin
     monomials_.evaluate_with_gradient(z, v.monomials);
     v.force_by_velocity.setZero();
     for (std::size_t material = 0; material < masses_.size(); ++material)
-      if (const auto &at = v.materials[material]; masses_[material].density > 0.)
+      if (auto &at = v.materials[material]; masses_[material].density > 0.)
+      {
+        set_lower_product(masses_[material].factor_at_rest, at.relative_rate, at.factor_rate);
         v.force_by_velocity += .5 * masses_[material].density * symmetric_product(at.factor, at.factor_rate);
+      }
     v.force_by_variable.setZero();
     differentiate_quadratic(velocity, v);
     for (auto &slope : v.mass_slopes)
@@ -226,7 +250,7 @@ namespace swimtwin
     const Eigen::MatrixXd rate_slopes = of_rate * v.monomials.rightCols(m);
     for (Eigen::Index c = 0; c < m; ++c)
     {
-      VelocityMatrix C = VelocityMatrix::Zero(n_, n_), C_rate = C; // derivatives by z_c
+      VelocityMatrix C = VelocityMatrix::Zero(n_, n_), C_rate = C, F = C, F_rate = C; // derivatives by z_c
       for (std::size_t t = 0; t < mass.entries.terms.size(); ++t)
       {
         const Term  &term  = mass.entries.terms[t];
@@ -236,12 +260,13 @@ namespace swimtwin
         C_rate(term.i, term.j) = rate_slope;
         if (term.i == term.j)
         {
-          const double value     = std::exp(at.entries(row, 0));
+          const double value     = at.relative(term.i, term.i);
           C(term.i, term.i)      = value * slope;
           C_rate(term.i, term.i) = value * (rate_slope + slope * at.entries(row, last));
         }
       }
-      const VelocityMatrix F = mass.factor_at_rest.lazyProduct(C), F_rate = mass.factor_at_rest.lazyProduct(C_rate);
+      set_lower_product(mass.factor_at_rest, C, F);
+      set_lower_product(mass.factor_at_rest, C_rate, F_rate);
       v.mass_slopes[static_cast<std::size_t>(c)] += mass.density * symmetric_product(at.factor, F);
       const VelocityMatrix rate_slope = symmetric_product(at.factor, F_rate) + symmetric_product(at.factor_rate, F);
       v.force_by_variable.col(c) += .5 * mass.density * (rate_slope * velocity);

@@ -28,8 +28,10 @@ namespace swimtwin
     /// Of fluid and tail.
     struct Material
     {
-      Eigen::MatrixXd entries;             ///< of C: values, derivatives by z, rates; log on the diagonal
-      VelocityMatrix  factor, factor_rate; ///< L_0 C and L_0 dC/dt
+      Eigen::MatrixXd entries;                 ///< of C: values, derivatives by z, rates; log on the diagonal
+      VelocityMatrix  relative, relative_rate; ///< C and dC/dt
+      VelocityMatrix  factor;                  ///< L_0 C
+      VelocityMatrix  factor_rate;             ///< L_0 dC/dt; of `differentiate` alone
     };
     std::array<Material, 2> materials;
   };
@@ -90,10 +92,12 @@ namespace swimtwin
                                    InertiaValues::Material &at, InertiaValues &result) const;
     void        differentiate_quadratic(const VelocityVector &velocity, InertiaValues &result) const;
 
-    int                 n_ = 0;
-    MonomialTable       monomials_{Eigen::MatrixXi::Zero(1, 1), Eigen::VectorXi::Ones(1)};
-    std::array<Mass, 2> masses_; ///< of fluid and tail
-    VelocityMatrix      head_;   ///< its M
-    Polynomials         quadratic_;
+    int                              n_ = 0;
+    Eigen::VectorXi                  velocity_parity_;
+    std::array<std::vector<Term>, 2> pairs_; ///< xi_i xi_j: even ones, odd ones
+    MonomialTable                    monomials_{Eigen::MatrixXi::Zero(1, 1), Eigen::VectorXi::Ones(1)};
+    std::array<Mass, 2>              masses_;    ///< of fluid and tail
+    VelocityMatrix                   head_;      ///< its M
+    Polynomials                      quadratic_; ///< by parity, then by force, then as `pairs_`
   };
 } // namespace swimtwin

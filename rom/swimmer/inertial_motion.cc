@@ -10,7 +10,10 @@ namespace swimtwin
 {
   Eigen::VectorXd ReducedSwimmer::variable_rate(const SwimmerState &state, const ResistanceFactor &at) const
   {
-    return variable_rate_by_velocity(state, at) * state.tail(n_velocities());
+    const auto     velocity = state.tail(n_velocities());
+    VelocityVector rates(r_ + 2); // of shape, angle and height
+    rates << velocity.tail(r_), velocity[2], std::sin(state[2]) * velocity[0] + std::cos(state[2]) * velocity[1];
+    return at.coordinate_slopes * rates;
   }
 
   Eigen::MatrixXd ReducedSwimmer::variable_rate_by_velocity(const SwimmerState &state, const ResistanceFactor &at) const

@@ -1,5 +1,7 @@
 #include <rom/swimmer/polynomial_family.h>
 
+#include <rom/swimmer/wide_product.h>
+
 namespace swimtwin
 {
   namespace
@@ -65,15 +67,13 @@ namespace swimtwin
   void PolynomialFamily::evaluate(const Monomials &monomials, Results results) const
   {
     for (const auto &[result, monomial, coefficients] : values_)
-      results.segment(result, coefficients.rows()).noalias() =
-          coefficients * monomials.segment(monomial, coefficients.cols());
+      set_product(coefficients, monomials.data() + monomial, results.data() + result);
   }
 
   void PolynomialFamily::differentiate(const Monomials &monomials, Results results) const
   {
     evaluate(monomials, results);
     for (const auto &[result, monomial, coefficients] : slopes_)
-      results.segment(result, coefficients.rows()).noalias() =
-          coefficients * monomials.segment(monomial, coefficients.cols());
+      set_product(coefficients, monomials.data() + monomial, results.data() + result);
   }
 } // namespace swimtwin

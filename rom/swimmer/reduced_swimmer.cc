@@ -1,5 +1,6 @@
 #include <datasets/system/error.h>
 #include <rom/swimmer/head_frame.h>
+#include <rom/swimmer/lower_triangular.h>
 #include <rom/swimmer/reduced_swimmer.h>
 
 #include <fmt/format.h>
@@ -202,9 +203,9 @@ namespace swimtwin
 
   VelocityVector ReducedSwimmer::drag(const SwimmerMotion &motion, const double viscosity) const
   {
-    const auto          &L0 = resistance_.factor_at_rest();
-    const VelocityVector w  = motion.resistance.factor.transpose() * (L0.transpose() * motion.velocity);
-    return viscosity * (L0 * (motion.resistance.factor * w));
+    const auto          &L0 = resistance_.factor_at_rest(), &C = motion.resistance.factor;
+    const VelocityVector w = transposed_lower_times(C, transposed_lower_times(L0, motion.velocity));
+    return viscosity * lower_times(L0, lower_times(C, w));
   }
 
   void ReducedSwimmer::move(const SwimmerState &state, const Eigen::Vector2d &field_T,
