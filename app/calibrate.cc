@@ -142,26 +142,16 @@ namespace swimtwin
     }
 
     /// What the fit's parameters have to make up for of the inertia that the reduced swimmer leaves out, or carries to
-    /// first order only; empty if it is little.
-    std::string inertia_doubt(const Scene &scene, const InertiaTerms &carried, const std::vector<ObservationSet> &sets)
+    /// first order only; empty if that is little, or if the data have none.
+    std::string made_up_for(const Scene &scene, const InertiaTerms &carried, const std::vector<ObservationSet> &sets)
     {
-      constexpr double      noticed = 0.01;
-      const InertialExtreme extreme = extreme_of(scene, sets);
-      const double          share   = extreme.shares(scene).together();
-      if (const double error = error_of_carried_inertia(share, extreme.group_of_domain(scene));
-          carried.any() && error > noticed)
-        return fmt::format(
-            "the reduced swimmer knows inertia to some {:.2g} % of the displacement at {:.4g} Hz with the "
-            "scene's viscosity and stiffness; the estimates make up for it",
-            100. * error, extreme.frequency_Hz);
-      const bool is_missed =
+      const InertiaDoubt doubt = doubt_inertia(scene, carried, extreme_of(scene, sets));
+      const bool         is_in_data =
           std::any_of(sets.begin(), sets.end(), [](const ObservationSet &set) { return set.has_inertia; });
-      if (carried.any() || !is_missed || !(share > noticed))
+      if (doubt.finding.empty() || !(carried.any() || is_in_data))
         return {};
-      return fmt::format(
-          "the reduced swimmer neglects inertia, {} at {:.4g} Hz with the scene's viscosity and stiffness: where the "
-          "data have it, the estimates make up for it",
-          share_of_displacement(share), extreme.frequency_Hz);
+      return doubt.finding +
+             " with the scene's viscosity and stiffness: where the data have it, the estimates make up for it";
     }
 
     void complete(const CalibrateCommand &command, const ReducedModel &model, const CalibrationProblem &problem,
@@ -171,7 +161,7 @@ namespace swimtwin
       const Scene scene   = parse_scene(model.scene_text, model.scene_name + ".toml");
       result.scene_name   = model.scene_name;
       result.problem_text = problem.text;
-      if (const std::string doubt = inertia_doubt(scene, carried, sets); !doubt.empty())
+      if (const std::string doubt = made_up_for(scene, carried, sets); !doubt.empty())
         result.warnings.push_back(doubt);
       for (const ObservationSet &set : sets)
         result.data_files.push_back(set.file.string());
@@ -257,6 +247,7 @@ namespace swimtwin
                                      CalibrationResult result, RefinedModel &by)
     {
       ModelUse use;
+      use.inertia    = carried;
       use.difference = [&]() -> std::optional<double> {
         if (!is_checked(result))
           return {};
@@ -269,8 +260,6 @@ namespace swimtwin
         return files;
       };
       use.again = [&](const RefinedModel &refined) {
-        if (carried.any() && !refined.model.inertia.is_given())
-          throw ComputationError("its inertia was not borne out by its held-out runs");
         CalibrationResult next = fit(command, input, carried, refined);
         if (!is_checked(next))
           throw ComputationError(next.discrepancy.verdict);

@@ -57,31 +57,39 @@ namespace swimtwin
                       model_name));
   }
 
-  std::string inertia_doubt(const Scene &scene, const InertiaTerms &carried, const InertialExtreme &extreme,
-                            const bool allowed, const std::string &remedy)
+  std::string InertiaDoubt::warning() const
   {
-    constexpr const char *all_the_same = "or say --allow-inertia to compute all the same.";
-    const InertiaShares   shares       = extreme.shares(scene);
-    const std::string     place        = place_of(scene, extreme);
+    return finding.empty() ? "" : finding + ": do not trust more than the digits that this leaves";
+  }
+
+  std::string InertiaDoubt::refusal(const std::string &remedy) const
+  {
+    return fmt::format("{}; {}, or say --allow-inertia to compute all the same.", finding, remedy);
+  }
+
+  InertiaDoubt doubt_inertia(const Scene &scene, const InertiaTerms &carried, const InertialExtreme &extreme)
+  {
+    const InertiaShares shares = extreme.shares(scene);
+    const std::string   place  = place_of(scene, extreme);
     if (const double error = error_of_carried_inertia(shares.together(), extreme.group_of_domain(scene));
         carried.of_fluid() && error > noticed_share)
-    {
-      const std::string far =
-          fmt::format("{}, inertia is {}, and the reduced swimmer knows it to some {:.2g} % of the displacement", place,
-                      share_of_displacement(shares.together()), 100. * error);
-      if (error > largest_carried_error && !allowed)
-        throw InputError(fmt::format("{}; {}, {}", far, remedy, all_the_same));
-      return far;
-    }
+      return {fmt::format("{}, inertia is {}, and the reduced swimmer knows it to some {:.2g} % of the displacement",
+                          place, share_of_displacement(shares.together()), 100. * error),
+              error > largest_carried_error};
     const double missed = missed_share(shares, carried);
     if (missed <= noticed_share)
       return {};
-    const std::string finding =
-        fmt::format("{}, and the reduced swimmer neglects {}, {}", place,
-                    carried.any() ? "part of the inertia" : "inertia", share_of_displacement(missed));
-    if (extreme.group(scene) > largest_unsteady_group && !allowed)
-      throw InputError(fmt::format("{}: above {} its displacements are wrong; {}, {}", finding, largest_unsteady_group,
-                                   remedy, all_the_same));
-    return finding + ": do not trust more than the digits that this leaves";
+    const bool is_wrong = extreme.group(scene) > largest_unsteady_group;
+    return {fmt::format("{}, and the reduced swimmer neglects {}, {}{}", place,
+                        carried.any() ? "part of the inertia" : "inertia", share_of_displacement(missed),
+                        is_wrong ? fmt::format(" (above {} displacements are wrong)", largest_unsteady_group) : ""),
+            is_wrong};
+  }
+
+  std::string accept_doubt(const InertiaDoubt &doubt, const bool allowed, const std::string &remedy)
+  {
+    if (doubt.is_wrong && !allowed)
+      throw InputError(doubt.refusal(remedy));
+    return doubt.warning();
   }
 } // namespace swimtwin

@@ -27,8 +27,19 @@ namespace swimtwin
   /// Throws InputError for "full" and a model that has none.
   void require_inertia(const ReducedModel &model, const std::string &model_name, const std::string &inertia);
 
-  /// One sentence on inertia that is left out, or carried too far, where the error is not small; else empty. Throws
-  /// InputError where the model cannot be right, with the remedy ("lower ..."), unless that is allowed.
-  std::string inertia_doubt(const Scene &scene, const InertiaTerms &carried, const InertialExtreme &extreme,
-                            bool allowed, const std::string &remedy);
+  struct InertiaDoubt
+  {
+    std::string finding;          ///< one clause on inertia that is left out, or carried too far; empty if it is little
+    bool        is_wrong = false; ///< displacements are
+
+    /// The finding, and what follows for a result that is given all the same.
+    std::string warning() const;
+    /// Why there is none, with the remedy ("lower ..."); of a doubt that `is_wrong`.
+    std::string refusal(const std::string &remedy) const;
+  };
+
+  InertiaDoubt doubt_inertia(const Scene &scene, const InertiaTerms &carried, const InertialExtreme &extreme);
+
+  /// The warning. Throws InputError where displacements are wrong, unless that is allowed.
+  std::string accept_doubt(const InertiaDoubt &doubt, bool allowed, const std::string &remedy);
 } // namespace swimtwin

@@ -159,16 +159,25 @@ namespace swimtwin
       Refinement                      refinement;
     };
 
-    /// Of the inertia at the frequency that was found.
-    void warn_of_inertia(const Scene &scene, const SwimmingGoal &goal, PlanResult &plan)
+    /// The goal's swimmer, or the member of a robust goal, that needs inertia most.
+    InertialExtreme extreme_of(const Scene &scene, const SwimmingGoal &goal, const double frequency_Hz)
     {
-      const PlannedField *best = plan.find(optimal_field_name);
-      if (!best || !best->moves)
-        return;
-      const std::string doubt =
-          inertia_doubt(scene, goal.inertia, extreme_of(goal.swimmer, best->frequency_Hz), true, "");
-      if (!doubt.empty())
-        plan.warnings.push_back(doubt);
+      InertialExtreme most = extreme_of(goal.swimmer, frequency_Hz);
+      for (const SwimmerParameters &member : members_of(goal))
+        if (const InertialExtreme other = extreme_of(member, frequency_Hz);
+            other.shares(scene).together() > most.shares(scene).together())
+          most = other;
+      return most;
+    }
+
+    /// At the higher of the frequencies that the gain is of.
+    InertiaDoubt doubt_of(const Scene &scene, const SwimmingGoal &goal, const PlanResult &plan)
+    {
+      double highest_Hz = 0.;
+      for (const char *name : {optimal_field_name, tuned_field_name})
+        if (const PlannedField *field = plan.find(name); field && field->moves)
+          highest_Hz = std::max(highest_Hz, field->frequency_Hz);
+      return highest_Hz > 0. ? doubt_inertia(scene, goal.inertia, extreme_of(scene, goal, highest_Hz)) : InertiaDoubt();
     }
 
     PlanResult make_plan(const OptimizeCommand &command, const PlanInput &input)
@@ -179,7 +188,8 @@ namespace swimtwin
         file.options.on_progress = [](const std::string &what) { say("  searching: {}\n", what); };
       PlanResult plan = plan_field(model, file.goal, reference_drive(scene), file.options, members_of(file.goal));
       plan.warnings.insert(plan.warnings.begin(), warnings.begin(), warnings.end());
-      warn_of_inertia(scene, file.goal, plan);
+      if (const InertiaDoubt doubt = doubt_of(scene, file.goal, plan); !doubt.finding.empty())
+        plan.warnings.push_back(doubt.warning());
       plan.scene_name        = model.scene_name;
       plan.goal_text         = file.text;
       plan.young_modulus_Pa  = file.goal.swimmer.young_modulus_Pa;
@@ -207,7 +217,7 @@ namespace swimtwin
       return plan.status == "converged" || plan.status == "stalled" || plan.status == "budget exhausted";
     }
 
-    void conclude(const OptimizeCommand &command, const PlanResult &plan)
+    void conclude(const OptimizeCommand &command, const PlanResult &plan, const InertiaDoubt &doubt)
     {
       for (const std::string &warning : plan.warnings)
         warn(warning);
@@ -216,6 +226,8 @@ namespace swimtwin
             trade_off_text(plan), plan.gain(), plan.search_time_s, plan.confirmation(), command.common.output.string());
       if (!is_usable(plan))
         throw ComputationError(fmt::format("no field was found ({}): {}", plan.status, plan.message));
+      if (doubt.is_wrong && !command.inertia.allowed)
+        throw ComputationError(doubt.refusal("lower [field] frequency_high_Hz or raise [swimmer] viscosity_Pa_s"));
     }
 
     /// A plan by this model, with its replay if one is asked for.
@@ -242,6 +254,7 @@ namespace swimtwin
                                RefinedModel &by)
     {
       ModelUse use;
+      use.inertia    = input.file.goal.inertia;
       use.difference = [&] { return plan.replay ? std::optional(plan.replay->largest_difference()) : std::nullopt; };
       use.snapshots  = [&] { return replayed_snapshots(plan, command.common.output); };
       use.again      = [&](const RefinedModel &refined) {
@@ -260,9 +273,9 @@ namespace swimtwin
     void choose_inertia(const OptimizeCommand &command, const ReducedModel &model, const Scene &scene,
                         SwimmingGoal &goal)
     {
-      goal.inertia = carried_inertia(scene, model, extreme_of(goal.swimmer, goal.frequency_Hz.high));
-      inertia_doubt(scene, goal.inertia, extreme_of(goal.swimmer, goal.frequency_Hz.low), command.inertia.allowed,
-                    "lower [limits] frequency_low_Hz or raise [swimmer] viscosity_Pa_s");
+      goal.inertia             = carried_inertia(scene, model, extreme_of(scene, goal, goal.frequency_Hz.high));
+      const InertiaDoubt doubt = doubt_inertia(scene, goal.inertia, extreme_of(scene, goal, goal.frequency_Hz.low));
+      accept_doubt(doubt, command.inertia.allowed, "lower [field] frequency_low_Hz or raise [swimmer] viscosity_Pa_s");
     }
 
     void optimize_in_folder(const OptimizeCommand &command, const PlanInput &input)
@@ -281,7 +294,7 @@ namespace swimtwin
       write_field(common, plan);
       write_plan_result(common.output / plan_name, plan);
       draw_and_write_page(command, read_plan(common.output));
-      conclude(command, plan);
+      conclude(command, plan, doubt_of(input.scene, input.file.goal, plan));
     }
   } // namespace
 

@@ -1,4 +1,5 @@
 // Verb reconstruct: one run of a reduced swimmer with the whole tail and, where this build has it, the flow.
+#include <app/carried_inertia.h>
 #include <app/claimed_folder.h>
 #include <app/full_order/flow_output.h>
 #include <app/full_order/full_order_build.h>
@@ -12,7 +13,9 @@
 #include <datasets/system/provenance.h>
 #include <datasets/run/run_summary_json.h>
 #include <reports/run/draw_run.h>
+#include <rom/integration/swimmer_integrator.h>
 #include <rom/sweep/reconstruction.h>
+#include <rom/sweep/starting_state.h>
 #include <rom/sweep/sweep.h>
 
 #include <fmt/format.h>
@@ -32,6 +35,7 @@ namespace swimtwin
       std::string   model;
       int           n_instants         = 24;
       double        relative_tolerance = IntegratorOptions().relative_tolerance;
+      InertiaChoice inertia;
       bool          with_flow = false, with_pictures = false;
     };
 
@@ -46,14 +50,17 @@ namespace swimtwin
                          [&](const std::string &start) { return override_text.starts_with(start); }))
           throw InputError(fmt::format(
               "--set {} changes what the reduced model was trained for: only young_modulus_Pa, viscosity_Pa_s, "
-              "magnetization_A_m, [field] and time.periods can be set; train another model",
+              "magnetization_A_m, [field] and time.periods can be set (inertia by --inertia); train another model",
               override_text));
     }
 
     Scene scene_of_run(const ReconstructCommand &command, const ReducedModel &model)
     {
       require_known_to_model(command.common.overrides);
-      return parse_scene(model.scene_text, model.scene_name + ".toml", command.common.overrides);
+      std::vector<std::string> overrides = command.common.overrides;
+      if (!command.inertia.inertia.empty())
+        overrides.push_back("fluid.inertia=" + command.inertia.inertia);
+      return parse_scene(model.scene_text, model.scene_name + ".toml", overrides);
     }
 
     int n_periods(const Scene &scene)
@@ -66,24 +73,50 @@ namespace swimtwin
       return static_cast<int>(n);
     }
 
-    SwimmerRun run(const ReducedModel &model, const RunRequest &request, const double relative_tolerance)
+    /// A run of a reduced model, before anything is written.
+    struct ReducedRun
     {
-      const ReducedSwimmer swimmer(model);
-      SwimmerRun           result = SwimmerIntegrator(swimmer, {.relative_tolerance = relative_tolerance}).run(request);
-      if (!result.completed())
-        throw ComputationError(result.failure);
-      return result;
+      const ReducedModel &model;
+      Scene               scene;
+      RunRequest          request;
+      InertiaTerms        inertia; ///< that is carried
+      std::string         doubt;   ///< about it; may be empty
+    };
+
+    InertialExtreme extreme_of(const ReducedRun &run)
+    {
+      return extreme_of(run.request.parameters, run.request.drive.frequency_Hz);
     }
 
-    RunSummary summary_of(const SwimmerRun &run, const Scene &scene, const TrustNotes &trust)
+    InertiaRecord inertia_record(const ReducedRun &run)
+    {
+      const auto [fluid, tail, head] = extreme_of(run).shares(run.scene);
+      return {names_of(run.inertia), fluid, tail, head, 0.};
+    }
+
+    SwimmerRun motion_of(const ReducedRun &run, const double relative_tolerance)
+    {
+      const ReducedSwimmer swimmer(run.model, inertial_densities(run.model, run.inertia));
+      RunRequest           request = run.request;
+      request.initial_state        = starting_state(swimmer, request.initial_state);
+      SwimmerRun motion = SwimmerIntegrator(swimmer, {.relative_tolerance = relative_tolerance}).run(request);
+      if (!motion.completed())
+        throw ComputationError(motion.failure);
+      return motion;
+    }
+
+    RunSummary summary_of(const ReducedRun &run, const SwimmerRun &motion)
     {
       RunSummary summary;
       summary.status = "completed";
-      summarize_motion(run.trajectory, scene.time.period_s, scene.head.angle_rad, summary);
-      summary.n_unknowns = static_cast<int>(run.at_period_end.front().size());
-      summary.n_steps    = static_cast<int>(run.n_steps);
-      if (!trust.inside())
+      summarize_motion(motion.trajectory, run.scene.time.period_s, run.scene.head.angle_rad, summary);
+      summary.n_unknowns = static_cast<int>(motion.at_period_end.front().size());
+      summary.n_steps    = static_cast<int>(motion.n_steps);
+      summary.inertia    = inertia_record(run);
+      if (const TrustNotes trust = trust_notes(run.model.range, run.request, motion); !trust.inside())
         summary.warnings.push_back("outside what the model was trained for: " + trust.text());
+      if (!run.doubt.empty())
+        summary.warnings.push_back(run.doubt);
       return summary;
     }
 
@@ -100,13 +133,13 @@ namespace swimtwin
                         });
     }
 
-    void reconstruct_in_folder(const ReconstructCommand &command, const ReducedModel &model, const Scene &scene,
-                               const RunRequest &request)
+    void reconstruct_in_folder(const ReconstructCommand &command, const ReducedRun &run)
     {
-      const CommonOptions &common  = command.common;
-      const SwimmerRun     motion  = run(model, request, command.relative_tolerance);
-      const RunSummary     summary = summary_of(motion, scene, trust_notes(model.range, request, motion));
-      const SnapshotSet    shapes  = reconstruct(model.tail, request.drive, motion.snapshots);
+      const auto &[model, scene, request, inertia, doubt] = run;
+      const CommonOptions &common                         = command.common;
+      const SwimmerRun     motion                         = motion_of(run, command.relative_tolerance);
+      const RunSummary     summary                        = summary_of(run, motion);
+      const SnapshotSet    shapes                         = reconstruct(model.tail, request.drive, motion.snapshots);
       const Provenance     provenance{
           current_program_version, common.command_line, scene.text, scene.hash, utc_time_now(), 0.};
       if (command.with_flow)
@@ -118,8 +151,8 @@ namespace swimtwin
       std::string warning;
       if (command.with_pictures)
         draw_run(common.output, scene, motion.trajectory, summary, shapes, warning);
-      for (const std::string &doubt : summary.warnings)
-        warn(doubt);
+      for (const std::string &each : summary.warnings)
+        warn(each);
       if (!warning.empty())
         remark(warning);
       if (!common.quiet)
@@ -131,15 +164,19 @@ namespace swimtwin
     void reconstruct_and_report(const ReconstructCommand &command)
     {
       const ReducedModel model = read_reduced_model(find_model(command.model));
-      const Scene        scene = scene_of_run(command, model);
+      require_inertia(model, command.model, command.inertia.inertia);
+      ReducedRun run{model, scene_of_run(command, model), {}, {}, ""};
       warn_of_model_error(model, command.model);
-      RunRequest request         = sweep_options(scene, model).base;
-      request.n_periods          = n_periods(scene);
-      request.samples_per_period = command.n_instants;
+      run.request                    = sweep_options(run.scene, model).base;
+      run.request.n_periods          = n_periods(run.scene);
+      run.request.samples_per_period = command.n_instants;
+      run.inertia                    = carried_inertia(run.scene, model, extreme_of(run));
+      run.doubt = accept_doubt(doubt_inertia(run.scene, run.inertia, extreme_of(run)), command.inertia.allowed,
+                               "lower the field's frequency or raise fluid.viscosity_Pa_s");
       if (command.with_flow)
         require_full_order_model("--flow", RanksAtWork::this_one);
       work_in_folder(output_request(command.common, written_by::simulate(), {find_model(command.model)}),
-                     [&](const Begun &) { reconstruct_in_folder(command, model, scene, request); });
+                     [&](const Begun &) { reconstruct_in_folder(command, run); });
     }
   } // namespace
 
@@ -154,6 +191,7 @@ namespace swimtwin
     verb->add_option("--rtol", command->relative_tolerance, "Relative tolerance of the time integration")
         ->check(CLI::Range(1e-13, 1e-2))
         ->capture_default_str();
+    add_inertia_options(*verb, command->inertia);
     verb->add_flag("--flow", command->with_flow, "Solve for the flow at each instant (fields/, for ParaView)");
     verb->add_flag("--pictures", command->with_pictures, "Draw the motion");
     add_common_options(*verb, command->common, OutputFolder::required);

@@ -60,7 +60,9 @@ namespace swimtwin
       const int round = refinement.n_done() + 1;
       try
       {
-        RefinedModel refined = refine_model(by, use.snapshots(), common, round);
+        RefinedModel refined = refine_model(by, use.snapshots(), use.inertia, common, round);
+        if (use.inertia.any() && !refined.model.inertia.is_given())
+          throw ComputationError("its inertia was not borne out by its held-out runs");
         use.again(refined);
         by = std::move(refined);
       }

@@ -55,6 +55,7 @@ namespace swimtwin
     /// Another result with this model takes the result's place. Throws ComputationError, and the result stays, where
     /// the other one cannot be had or compared.
     std::function<void(const RefinedModel &)> again;
+    InertiaTerms                              inertia; ///< that is carried, and that a refined model must have too
   };
 
   struct RefinementReport

@@ -165,7 +165,7 @@ namespace swimtwin
       const InertiaTerms    terms   = carried_inertia(setup.scene, setup.model, extreme);
       setup.options.densities       = inertial_densities(setup.scene, terms);
       const std::string doubt =
-          inertia_doubt(setup.scene, terms, extreme, allowed, "lower --frequency or raise --viscosity");
+          accept_doubt(doubt_inertia(setup.scene, terms, extreme), allowed, "lower --frequency or raise --viscosity");
       if (!doubt.empty())
         setup.record.warnings.push_back(doubt);
       return setup;

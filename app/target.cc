@@ -49,14 +49,10 @@ namespace swimtwin
     }
 
     /// At the frequency that was found.
-    void warn_of_inertia(const TrackCommand &command, const ReducedModel &model, TargetRecord &record)
+    InertiaDoubt doubt_of(const TrackCommand &command, const ReducedModel &model, const TargetRecord &record)
     {
-      const std::string doubt =
-          inertia_doubt(scene_with_inertia(model, command.inertia.inertia), record.goal.inertia,
-                        extreme_of(record.goal.swimmer, record.way.plan.carrier.frequency_Hz), command.inertia.allowed,
-                        "lower [target] frequency_high_Hz or raise [swimmer] viscosity_Pa_s");
-      if (!doubt.empty())
-        record.warnings.push_back(doubt);
+      return doubt_inertia(scene_with_inertia(model, command.inertia.inertia), record.goal.inertia,
+                           extreme_of(record.goal.swimmer, record.way.plan.carrier.frequency_Hz));
     }
 
     void reach_with(const TrackCommand &command, const RefinedModel &by, TargetRecord &record)
@@ -70,7 +66,8 @@ namespace swimtwin
       record.replay.reset();
       if (!record.way.found())
         return;
-      warn_of_inertia(command, by.model, record);
+      if (const InertiaDoubt doubt = doubt_of(command, by.model, record); !doubt.finding.empty())
+        record.warnings.push_back(doubt.warning());
       add_swim(swimmer, record);
       if (command.has_replay())
         add_replay(command, by.model, record);
@@ -80,6 +77,7 @@ namespace swimtwin
                           TargetRecord &record)
     {
       ModelUse use;
+      use.inertia    = record.goal.inertia;
       use.difference = [&] { return record.difference_of_replay(); };
       use.snapshots  = [&] { return std::vector{command.common.output / replay_snapshots_name}; };
       use.again      = [&](const RefinedModel &refined) {
@@ -146,6 +144,8 @@ namespace swimtwin
                         command.goal, record.message()));
       if (!common.quiet)
         print(record, common);
+      if (const InertiaDoubt doubt = doubt_of(command, by.model, record); doubt.is_wrong && !command.inertia.allowed)
+        throw ComputationError(doubt.refusal("lower [target] frequency_high_Hz or raise [swimmer] viscosity_Pa_s"));
     }
   } // namespace
 

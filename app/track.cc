@@ -135,6 +135,7 @@ namespace swimtwin
                           TrackRecord &record)
     {
       ModelUse use;
+      use.inertia    = record.goal.inertia;
       use.difference = [&] { return record.difference_of_replay(); };
       use.snapshots  = [&] { return std::vector{command.common.output / replay_snapshots_name}; };
       use.again      = [&](const RefinedModel &refined) {
@@ -150,9 +151,10 @@ namespace swimtwin
 
     std::string doubt_of(const TrackCommand &command, const ReducedModel &model, const TrackingGoal &goal)
     {
-      return inertia_doubt(scene_with_inertia(model, command.inertia.inertia), goal.inertia,
-                           extreme_of(goal.believed, goal.carrier.frequency_Hz), command.inertia.allowed,
-                           "lower [carrier] frequency_Hz or raise [swimmer] viscosity_Pa_s");
+      const InertiaDoubt doubt = doubt_inertia(scene_with_inertia(model, command.inertia.inertia), goal.inertia,
+                                               extreme_of(goal.believed, goal.carrier.frequency_Hz));
+      return accept_doubt(doubt, command.inertia.allowed,
+                          "lower [carrier] frequency_Hz or raise [swimmer] viscosity_Pa_s");
     }
 
     void track_in_folder(const TrackCommand &command, const Refinement &refinement, RefinedModel by,

@@ -41,8 +41,8 @@ namespace swimtwin
     return {};
   }
 
-  RefinedModel refine_model(const RefinedModel &, const std::vector<std::filesystem::path> &, const CommonOptions &,
-                            int)
+  RefinedModel refine_model(const RefinedModel &, const std::vector<std::filesystem::path> &, const InertiaTerms &,
+                            const CommonOptions &, int)
   {
     require_full_order_model("--refine", RanksAtWork::all);
     return {};

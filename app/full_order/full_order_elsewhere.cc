@@ -39,8 +39,8 @@ namespace swimtwin
     continue_in_full_order_program(RanksAtWork::all);
   }
 
-  RefinedModel refine_model(const RefinedModel &, const std::vector<std::filesystem::path> &, const CommonOptions &,
-                            int)
+  RefinedModel refine_model(const RefinedModel &, const std::vector<std::filesystem::path> &, const InertiaTerms &,
+                            const CommonOptions &, int)
   {
     continue_in_full_order_program(RanksAtWork::all);
   }

@@ -5,6 +5,7 @@
 #include <datasets/files/output_folder.h>
 #include <datasets/system/console.h>
 #include <reports/sweep/model_card.h>
+#include <rom/swimmer/carried_inertia.h>
 #include <rom/training/aimed_training.h>
 
 #include <fmt/format.h>
@@ -39,17 +40,18 @@ namespace swimtwin
       return all;
     }
 
-    Scene scene_of(const ReducedModel &model)
+    /// With the inertia that the model before has, also where it was added to a scene without.
+    Scene scene_of(const ReducedModel &model, const InertiaTerms &carried)
     {
-      std::vector<std::string> overrides;
       if (!model.inertia.is_given())
-        overrides.emplace_back("fluid.inertia=none");
-      return parse_scene(model.scene_text, model.scene_name + ".toml", overrides);
+        return scene_with_inertia(model, "none");
+      const bool was_added = scene_with_inertia(model, "").fluid->inertia == Inertia::none;
+      return scene_with_inertia(model, was_added && carried.any() ? "full" : "");
     }
   } // namespace
 
   RefinedModel refine_model(const RefinedModel &before, const std::vector<fs::path> &snapshots,
-                            const CommonOptions &common, const int round)
+                            const InertiaTerms &carried, const CommonOptions &common, const int round)
   {
     const fs::path  folder        = common.output / fmt::format("refined-{}", round);
     const fs::path  before_folder = before.file.parent_path();
@@ -69,7 +71,7 @@ namespace swimtwin
     options.on_progress = [&](const std::string &stage, const int done, const int total) {
       bar.show(stage, done, total);
     };
-    RefinedModel refined{train(scene_of(before.model), options, MPI_COMM_WORLD), folder / "model.h5"};
+    RefinedModel refined{train(scene_of(before.model, carried), options, MPI_COMM_WORLD), folder / "model.h5"};
     agree([&] { write_text_atomically(folder / "model-card.txt", model_card(refined.model)); });
     return refined;
   }

@@ -3,6 +3,7 @@
 
 #include <app/verb.h>
 #include <datasets/reduced/reduced_model.h>
+#include <datasets/scene/inertia_terms.h>
 
 #include <filesystem>
 #include <vector>
@@ -17,8 +18,8 @@ namespace swimtwin
   };
 
   /// The model trained again over its range with these snapshots.h5 as well, in `refined-ROUND` of the output folder.
-  /// Runs and shapes of earlier refinements beside its file are taken along. Collective. Throws InputError and
-  /// ComputationError.
+  /// Runs and shapes of earlier refinements beside its file are taken along. With inertia if the model before has it
+  /// and its scene asks for it or its use carries it. Collective. Throws InputError and ComputationError.
   RefinedModel refine_model(const RefinedModel &before, const std::vector<std::filesystem::path> &snapshots,
-                            const CommonOptions &common, int round);
+                            const InertiaTerms &carried, const CommonOptions &common, int round);
 } // namespace swimtwin

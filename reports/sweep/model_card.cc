@@ -83,9 +83,9 @@ namespace swimtwin
     for (const std::string &step : record.history)
       text += fmt::format("  training     {}\n", step);
     if (model.inertia.is_given())
-      text +=
-          "  inertia      of fluid, tail and head: carried by `sweep`, `calibrate`, `optimize`, `track`, `twin` and "
-          "`lab`\n";
+      text += "  inertia      of fluid, tail and head, carried where [fluid] inertia or --inertia asks for it (`twin` "
+              "and `lab`: "
+              "where it counts)\n";
     for (const std::string &neglected : record.neglects)
       text += fmt::format("  neglects     {}\n", neglected);
     return text;

@@ -28,7 +28,7 @@ namespace swimtwin
 
   Eigen::MatrixXd tail_positions(const ReducedTail &tail, const SwimmerState &state)
   {
-    const Eigen::VectorXd d = tail_displacement(tail, state.tail(tail.n_coordinates()));
+    const Eigen::VectorXd d = tail_displacement(tail, state.segment(3, tail.n_coordinates()));
     Eigen::MatrixXd       x = tail.nodes_m + d.reshaped<Eigen::RowMajor>(tail.nodes_m.rows(), tail.nodes_m.cols());
     const Eigen::Matrix2d R = Eigen::Rotation2Dd(state[2]).toRotationMatrix();
     x.leftCols<2>()         = ((x.leftCols<2>() * R.transpose()).rowwise() + state.head<2>().transpose()).eval();
@@ -52,8 +52,8 @@ namespace swimtwin
     {
       const auto &[phase, state, rate] = snapshots[static_cast<std::size_t>(i)];
       set.time_s.push_back(phase / drive.frequency_Hz);
-      set.tail_displacement_m.row(i) = tail_displacement(tail, state.tail(r));
-      set.tail_velocity_m_s.row(i)   = tail_velocity(tail, state.tail(r), rate.tail(r));
+      set.tail_displacement_m.row(i) = tail_displacement(tail, state.segment(3, r));
+      set.tail_velocity_m_s.row(i)   = tail_velocity(tail, state.segment(3, r), rate.segment(3, r));
       set.pose.row(i)                = state.head<3>();
       set.field_T.row(i).head<2>()   = drive.field->value_T(phase, drive.parameters);
     }

@@ -33,7 +33,7 @@ namespace swimtwin
       configuration.pose.center[0]     = state[0];
       configuration.pose.center[1]     = state[1];
       configuration.pose.set_attitude(Attitude<dim>::about_z(state[2]));
-      configuration.shape = nodal_field<dim>(tail_displacement(tail, state.tail(tail.n_coordinates())));
+      configuration.shape = nodal_field<dim>(tail_displacement(tail, state.segment(3, tail.n_coordinates())));
       return configuration;
     }
 
@@ -45,7 +45,8 @@ namespace swimtwin
       rates.velocity[0]                  = snapshot.rate[0];
       rates.velocity[1]                  = snapshot.rate[1];
       rates.omega[rotation_about_z<dim>] = snapshot.rate[2];
-      rates.shape_rate = nodal_field<dim>(tail_velocity(tail, snapshot.state.tail(r), snapshot.rate.tail(r)));
+      rates.shape_rate =
+          nodal_field<dim>(tail_velocity(tail, snapshot.state.segment(3, r), snapshot.rate.segment(3, r)));
       return rates;
     }
 

@@ -27,8 +27,8 @@ namespace swimtwin
 
   struct FitQuality
   {
-    /// Relative error of the resistance, |C^-1 R C^-T - 1|, of held-back samples: root mean square of the nine tenths
-    /// that are least off, and the largest.
+    /// Relative error of the resistance, |C^-1 R C^-T - 1|, of held-back samples: weighted root mean square of those
+    /// that are least off and hold nine tenths of the (squared) weight, and the largest.
     double rms = 0., largest = 0.;
     int    n_features = 0;
   };

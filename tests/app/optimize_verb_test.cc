@@ -120,8 +120,20 @@ max_evaluations = 12
     const std::string thin    = a_goal + "[swimmer]\nviscosity_Pa_s = 5e-3\n";
     const Outcome     outcome = optimize(thin);
     EXPECT_EQ(outcome.code, 2);
-    expect_part(outcome.errors, "raise [swimmer] viscosity_Pa_s");
+    expect_part(outcome.errors, "lower [field] frequency_low_Hz or raise [swimmer] viscosity_Pa_s");
     EXPECT_FALSE(std::filesystem::exists(results));
+  }
+
+  // Slow fields could be planned, but the best one is fast: the plan is written and not taken for one.
+  TEST_F(OptimizeVerb, FailsWhereTheFoundFrequencyNeedsInertiaThatIsLeftOut)
+  {
+    std::string thinner = a_goal + "[swimmer]\nviscosity_Pa_s = 0.1\n";
+    thinner.replace(thinner.find("max_evaluations = 12"), 20, "max_evaluations = 60");
+    const Outcome outcome = optimize(thinner, {"--no-picture"});
+    EXPECT_EQ(outcome.code, 1) << outcome.errors;
+    expect_part(outcome.errors, "lower [field] frequency_high_Hz or raise [swimmer] viscosity_Pa_s");
+    EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(results) / plan_name));
+    EXPECT_EQ(optimize(thinner, {"--no-picture", "--force", "--allow-inertia"}).code, 0);
   }
 
   TEST_F(OptimizeVerb, NeedsTheFullOrderModelForAReplay)

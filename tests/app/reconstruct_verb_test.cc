@@ -4,7 +4,9 @@
 #include <datasets/run/run_summary_json.h>
 #include <datasets/run/snapshot_set.h>
 #include <datasets/run/trajectory.h>
+#include <datasets/text/csv_table.h>
 #include <tests/app/tool_in_process.h>
+#include <tests/control/small_model.h>
 #include <tests/datasets/temporary_folder.h>
 #include <tests/rom/example_model.h>
 
@@ -57,6 +59,29 @@ namespace swimtwin
   {
     expect_in(reconstruct({"--set", "tail.young_modulus_Pa=1e3", "--set", "time.periods=1"}).errors,
               "young_modulus_Pa = 1000 below 4e+04");
+  }
+
+  // One run is one row of a sweep, and what a run writes of its tail is shape, not velocity.
+  TEST_F(ReconstructVerb, CarriesInertiaLikeASweep)
+  {
+    write_reduced_model(model, truncated(read_reduced_model(std::string(places::models) + "/reference-2d.h5"), 2),
+                        Provenance{});
+    const std::string swept = folder.path / "swept";
+    ASSERT_EQ(run_in_process({"sweep", model, "--output", swept, "--inertia", "full"}, {{"sweep", add_sweep}}).code, 0);
+    const double expected =
+        CsvTable::read(folder.path / "swept" / "displacement_frequency.csv").column("displacement_m").front();
+    ASSERT_EQ(reconstruct({"--inertia", "full"}).code, 0);
+    const RunSummary with = read_run_summary_json(folder.path / "results/summary.json").summary;
+    EXPECT_NEAR(with.net_displacement_m.value(), expected, 1e-4 * std::abs(expected));
+    EXPECT_EQ(with.inertia->kept.size(), 4u);
+    const Eigen::MatrixXd bent = read_snapshots(folder.path / "results/snapshots.h5").tail_displacement_m;
+    const Outcome         none = reconstruct({"--inertia", "none", "--force"});
+    expect_in(none.errors, "the reduced swimmer neglects inertia");
+    const RunSummary without = read_run_summary_json(folder.path / "results/summary.json").summary;
+    EXPECT_TRUE(without.inertia->kept.empty());
+    EXPECT_GT(std::abs(without.net_displacement_m.value() / expected - 1.), 0.01);
+    const Eigen::MatrixXd bent_without = read_snapshots(folder.path / "results/snapshots.h5").tail_displacement_m;
+    EXPECT_LT((bent - bent_without).norm(), 0.1 * bent_without.norm());
   }
 
   TEST_F(ReconstructVerb, RefusesWhatTheModelCannotRepeat)
