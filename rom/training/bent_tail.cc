@@ -2,6 +2,7 @@
 
 #include <datasets/system/error.h>
 #include <rom/swimmer/dense_algebra.h>
+#include <rom/training/load_response.h>
 #include <rom/training/monomial_features.h>
 #include <rom/training/pod.h>
 #include <rom/training/relaxed_tail.h>
@@ -206,11 +207,34 @@ namespace swimtwin
       bent.energy.coefficients = size * least_squares(A, data / size);
       bent.moment_error        = (A * bent.energy.coefficients - data).norm() / data.norm();
     }
+    void fit_polynomials(const std::vector<RelaxedShape> &relaxed, const TailSpace &space, const MPI_Comm communicator,
+                         BentTail &bent)
+    {
+      const Eigen::VectorXd &scale  = bent.amplitudes.scale_m;
+      const Shapes           shapes = table_of(relaxed, scale);
+      const auto             m      = shapes.z.rows();
+      // Angles enter by their sines and cosines: a power is worth an angle, over its factorial.
+      const Eigen::VectorXd effects = (.5 * scale / bent.coordinates.length_m()).cwiseMin(.7).cwiseMax(.02);
+      fit_shapes(shapes, feature_sets(effects, m).back(), space, communicator, bent);
+      fit_energy(shapes, feature_sets(effects, 2 * m).back(), bent);
+      bent.polynomials = CoordinatePolynomials(bent.amplitudes, Eigen::VectorXi::Constant(scale.size(), -1));
+    }
+
+    void add_response(const LoadResponse &response, std::vector<RelaxedShape> &shapes)
+    {
+      for (RelaxedShape &shape : shapes)
+      {
+        const Eigen::VectorXd moment = response.stiffness * shape.q;
+        shape.displacement += response.fields * shape.q;
+        shape.energy_m2 += .5 * shape.q.dot(moment);
+        shape.slope_m += moment;
+      }
+    }
   } // namespace
 
   template <int dim>
   BentTail fit_bent_tail(const Swimmer<dim> &swimmer, const TailSpace &space, const BendingCoordinates &coordinates,
-                         const Eigen::MatrixXd &seen, const MPI_Comm communicator,
+                         const Eigen::MatrixXd &seen, const Eigen::MatrixXd &displacements, const MPI_Comm communicator,
                          const std::function<void(int, int)> &on_progress)
   {
     const SampledRegion       region = region_around(points_of(seen), 1.);
@@ -229,23 +253,22 @@ namespace swimtwin
         {},
         {{Eigen::VectorXd::Ones(seen.rows()), Eigen::MatrixXi::Zero(1, seen.rows()), Eigen::MatrixXd::Zero(1, 1)},
          Eigen::VectorXi::Constant(seen.rows(), -1)}};
-    bent.n_shapes       = static_cast<int>(relaxed.size());
-    const Shapes shapes = table_of(relaxed, region.coordinate_scale_m);
-    // Angles enter by their sines and cosines: a power is worth an angle, over its factorial.
-    const Eigen::VectorXd effects =
-        (.5 * region.coordinate_scale_m / coordinates.length_m()).cwiseMin(.7).cwiseMax(.02);
-    const auto m            = shapes.z.rows();
+    bent.n_shapes           = static_cast<int>(relaxed.size());
     bent.amplitudes.scale_m = bent.energy.scale_m = region.coordinate_scale_m;
-    fit_shapes(shapes, feature_sets(effects, m).back(), space, communicator, bent);
-    fit_energy(shapes, feature_sets(effects, 2 * m).back(), bent);
-    bent.polynomials = CoordinatePolynomials(bent.amplitudes, Eigen::VectorXi::Constant(seen.rows(), -1));
+    fit_polynomials(relaxed, space, communicator, bent);
+    if (displacements.cols() == 0)
+      return bent;
+    add_response(fit_load_response(swimmer, space, bent, displacements, seen), relaxed);
+    fit_polynomials(relaxed, space, communicator, bent);
     return bent;
   }
 
   template BentTail fit_bent_tail<2>(const Swimmer<2> &, const TailSpace &, const BendingCoordinates &,
-                                     const Eigen::MatrixXd &, MPI_Comm, const std::function<void(int, int)> &);
+                                     const Eigen::MatrixXd &, const Eigen::MatrixXd &, MPI_Comm,
+                                     const std::function<void(int, int)> &);
   template BentTail fit_bent_tail<3>(const Swimmer<3> &, const TailSpace &, const BendingCoordinates &,
-                                     const Eigen::MatrixXd &, MPI_Comm, const std::function<void(int, int)> &);
+                                     const Eigen::MatrixXd &, const Eigen::MatrixXd &, MPI_Comm,
+                                     const std::function<void(int, int)> &);
 
   void record_representation(const Eigen::MatrixXd &displacements, const TailSpace &space, TailBasis &basis)
   {

@@ -25,10 +25,11 @@ namespace swimtwin
   };
 
   /// `seen`: coordinates that runs went through, one column each; shapes are relaxed there, a fifth beyond, and in the
-  /// ball around. Collective. Throws ComputationError if too few shapes can be relaxed.
+  /// ball around. `displacements`: those of the runs, in the same order, for what their loads do beside bending; none
+  /// leaves that out. Collective. Throws ComputationError if too few shapes can be relaxed.
   template <int dim>
   BentTail fit_bent_tail(const Swimmer<dim> &swimmer, const TailSpace &space, const BendingCoordinates &coordinates,
-                         const Eigen::MatrixXd &seen, MPI_Comm communicator,
+                         const Eigen::MatrixXd &seen, const Eigen::MatrixXd &displacements, MPI_Comm communicator,
                          const std::function<void(int, int)> &on_progress = {});
 
   /// What a bent basis leaves of displacements (one per column).

@@ -45,6 +45,27 @@ namespace swimtwin
       }
       return reach;
     }
+
+    /// The mean over runs; one that gets less than a twentieth of the farthest counts as if it got so far.
+    double to_and_fro(const std::vector<SnapshotSet> &sets)
+    {
+      constexpr double smallest_share = 0.05;
+      const auto       going          = [](const SnapshotSet &set) {
+        return (set.pose.bottomRows<1>() - set.pose.topRows<1>()).leftCols<2>().norm();
+      };
+      double farthest = 0., sum = 0.;
+      for (const auto &set : sets)
+        farthest = std::max(farthest, going(set));
+      if (farthest == 0.)
+        return 0.;
+      for (const auto &set : sets)
+      {
+        const Eigen::Index n    = set.pose.rows() - 1;
+        const double       path = (set.pose.bottomRows(n) - set.pose.topRows(n)).leftCols<2>().rowwise().norm().sum();
+        sum += .5 * path / std::max(going(set), smallest_share * farthest);
+      }
+      return sum / static_cast<double>(sets.size());
+    }
   } // namespace
 
   template <int dim>
@@ -75,7 +96,7 @@ namespace swimtwin
     A.bottomRows(n)             = damping * A.topLeftCorner(m, r + 1).norm() * Eigen::MatrixXd::Identity(n, n);
     const Eigen::VectorXd found = solve_by_qr(A, heights);
 
-    Wandering result{{found(0), found.segment(1, r) / length}, {reach_along_x(sets, swimmer), 0.}};
+    Wandering result{{found(0), found.segment(1, r) / length}, {reach_along_x(sets, swimmer), 0.}, to_and_fro(sets)};
     for (Eigen::Index k = 0; k < m; ++k)
     {
       points[k].drift_y_m = heights(k) - result.usual.height_m(points[k]);

@@ -12,7 +12,8 @@ namespace swimtwin
   struct Wandering
   {
     UsualPlace      usual;
-    Eigen::Vector2d reach_m; ///< how far the middle went along x, and the head's height from the usual one
+    Eigen::Vector2d reach_m;         ///< how far the middle went along x, and the head's height from the usual one
+    double          to_and_fro = 0.; ///< half of the head's path over how far it got
   };
 
   /// From runs, whose points are those of the snapshots in the same order; sets their heights. The head is at rest at

@@ -19,8 +19,8 @@ namespace swimtwin
 {
   namespace
   {
-    /// Below this relative change of the resistance the pose is left out.
-    constexpr double negligible = 1e-3;
+    /// A part of the pose that changes displacements by less than this share is left out.
+    constexpr double negligible = 2e-3;
   } // namespace
 
   template <int dim>
@@ -139,7 +139,7 @@ namespace swimtwin
     BendingCoordinates    coordinates(swimmer_);
     coordinates.choose_modes(X, n_coordinates_);
     basis_.bent = std::make_shared<const BentTail>(
-        fit_bent_tail(swimmer_, space_, coordinates, coordinates.of(X), communicator_,
+        fit_bent_tail(swimmer_, space_, coordinates, coordinates.of(X), X, communicator_,
                       [&](const int done, const int total) { report("shapes of least energy", done, total); }));
     basis_.singular_values = coordinates.singular_values() * coordinates.length_m();
     record_representation(X, space_, basis_);
@@ -177,6 +177,13 @@ namespace swimtwin
     return digest(bytes);
   }
 
+  /// Of a relative change of the resistance that swings to and fro with the head, at most.
+  template <int dim>
+  double Training<dim>::share_of_displacement(const double change) const
+  {
+    return change * std::max(1., wandering_.to_and_fro);
+  }
+
   template <int dim>
   void Training<dim>::choose_region(ShapeSampler &sampler)
   {
@@ -186,8 +193,8 @@ namespace swimtwin
       const auto few = spread_out(shapes_seen_, {rest_}, region_, Eigen::VectorXd::Ones(region_.n_variables()), 4);
       pose_          = measure_pose_dependence(few, region_, rest_, wandering_.reach_m, sampler);
     }
-    region_.depends_on_angle  = pose_.on_angle > negligible;
-    region_.depends_on_height = pose_.on_height > negligible;
+    region_.depends_on_angle  = share_of_displacement(pose_.on_angle) > negligible;
+    region_.depends_on_height = share_of_displacement(pose_.on_height) > negligible;
     for (auto &point : shapes_seen_)
     {
       point.angle_rad *= region_.depends_on_angle;
@@ -310,8 +317,9 @@ namespace swimtwin
                                            1e3 * wandering_.reach_m[0], 100. * pose_.on_way));
     if (!scene_.domain->moves_with_swimmer && !region_.depends_on_height)
       r.neglects.push_back(fmt::format("The height in the domain: over the {:.2g} mm from the usual one, resistance "
-                                       "changes by at most {:.2g} %.",
-                                       1e3 * wandering_.reach_m[1], 100. * pose_.on_height));
+                                       "changes by at most {:.2g} % (at most {:.2g} % of the displacement).",
+                                       1e3 * wandering_.reach_m[1], 100. * pose_.on_height,
+                                       100. * share_of_displacement(pose_.on_height)));
     if (!scene_.domain->moves_with_swimmer && !region_.depends_on_angle)
       r.neglects.push_back(
           fmt::format("The angle in the domain: resistance changes by at most {:.2g} %.", 100. * pose_.on_angle));

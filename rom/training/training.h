@@ -54,6 +54,7 @@ namespace swimtwin
     void                     forget_heights();
     std::string              key_of_samples() const;
     void                     choose_region(ShapeSampler &sampler);
+    double                   share_of_displacement(double change) const;
     void                     sample_resistance(ShapeSampler &sampler);
     void                     explore_and_fit(int n);
     void                     fit(ShapeSampler &sampler, const std::vector<ShapePoint> &points);

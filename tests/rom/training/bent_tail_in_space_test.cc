@@ -90,7 +90,7 @@ namespace swimtwin
     Eigen::MatrixXd   seen(2, 10); // a loop
     for (int k = 0; k < 10; ++k)
       seen.col(k) << .1 * L * std::cos(.628 * k), .02 * L * std::sin(.628 * k);
-    const BentTail bent = fit_bent_tail(body.swimmer, body.space, body.coordinates, seen, MPI_COMM_WORLD);
+    const BentTail bent = fit_bent_tail(body.swimmer, body.space, body.coordinates, seen, {}, MPI_COMM_WORLD);
     EXPECT_LE(bent.shape_error, 2e-3);
     EXPECT_LE(bent.moment_error, 2e-3);
     for (const int node : body.mesh.clamped_nodes)

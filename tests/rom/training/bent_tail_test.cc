@@ -96,7 +96,7 @@ namespace swimtwin
     Eigen::MatrixXd seen(2, 40); // a loop
     for (int k = 0; k < 40; ++k)
       seen.col(k) << body.bend[0] * std::cos(.157 * k), body.bend[1] * std::sin(.157 * k);
-    const BentTail bent = fit_bent_tail(body.swimmer, body.space, body.coordinates, seen, MPI_COMM_WORLD);
+    const BentTail bent = fit_bent_tail(body.swimmer, body.space, body.coordinates, seen, {}, MPI_COMM_WORLD);
     EXPECT_LE(bent.shape_error, 1e-4);
     EXPECT_LE(bent.moment_error, 1e-4);
 
@@ -108,6 +108,65 @@ namespace swimtwin
     const RelaxedShape          at = RelaxedTail(body.swimmer, body.coordinates).on_the_way_to(q, 3).back();
     const CoordinatePolynomials energy(bent.energy, Eigen::VectorXi::Constant(2, -1));
     EXPECT_NEAR(energy.value(q)[0], at.energy_m2, 1e-4 * at.energy_m2);
+  }
+
+  // An independent truth: the linear tail under forces along y, spread over its volume.
+  TEST_P(BentTails, ShearUnderForcesAsTheLinearTailDoes)
+  {
+    const auto                 &mesh = body.swimmer.tail().mesh;
+    const auto                  n    = static_cast<Eigen::Index>(2 * mesh.n_nodes());
+    const NodalField<2>         rest = nodal_field<2>(Eigen::VectorXd::Zero(n));
+    Eigen::MatrixXd             K    = Eigen::MatrixXd::Zero(n, n);
+    ElasticTail<2>::CellForce   force;
+    ElasticTail<2>::CellTangent tangent;
+    for (unsigned int c = 0; c < mesh.n_cells(); ++c)
+    {
+      body.swimmer.elasticity().cell_force_and_tangent(c, rest, force, tangent);
+      for (unsigned int i = 0; i < 2 * n_cell_nodes<2>; ++i)
+        for (unsigned int j = 0; j < 2 * n_cell_nodes<2>; ++j)
+          K(2 * mesh.cells[c][i / 2] + i % 2, 2 * mesh.cells[c][j / 2] + j % 2) += tangent[i][j];
+    }
+    Eigen::MatrixXd loads = Eigen::MatrixXd::Zero(n, 2); // even, growing to the tip
+    for (unsigned int a = 0; a < mesh.n_nodes(); ++a)
+      loads.row(2 * a + 1) << 1., 200. * mesh.nodes[a][0];
+    for (unsigned int a = 0; a < mesh.n_nodes(); ++a)
+    {
+      loads.row(2 * a + 1) *= body.swimmer.elasticity().volume_of_node()[a];
+      for (const Eigen::Index i : {2 * a, 2 * a + 1})
+        if (body.swimmer.is_clamped(a))
+        {
+          K.row(i).setZero();
+          K(i, i) = 1.;
+          loads.row(i).setZero();
+        }
+    }
+    Eigen::MatrixXd bends = K.lu().solve(loads);
+    for (int k : {0, 1}) // bent little, so that all is linear
+    {
+      const double scale = 1e-3 * body.coordinates.length_m() / body.coordinates.of(bends.col(k)).norm();
+      bends.col(k) *= scale;
+      loads.col(k) *= scale;
+    }
+    Eigen::MatrixXd runs(n, 40);
+    for (int k = 0; k < 40; ++k)
+      runs.col(k) = bends * Eigen::Vector2d(std::cos(.157 * k), std::sin(.157 * k));
+    const Eigen::MatrixXd seen = body.coordinates.of(runs);
+    const Eigen::Vector2d amounts(.5, -.8);
+    const Eigen::VectorXd truth = bends * amounts, q = body.coordinates.of(truth);
+    const double          energy = .5 * truth.dot(loads * amounts) / body.scene.tail->young_modulus_Pa;
+
+    const auto errors = [&](const Eigen::MatrixXd &displacements) {
+      TailBasis basis;
+      basis.bent = std::make_shared<const BentTail>(
+          fit_bent_tail(body.swimmer, body.space, body.coordinates, seen, displacements, MPI_COMM_WORLD));
+      const double told = CoordinatePolynomials(basis.bent->energy, Eigen::VectorXi::Constant(2, -1)).value(q)[0];
+      return Eigen::Vector2d((basis.displacement(q) - truth).norm() / truth.norm(), std::abs(told / energy - 1.));
+    };
+    const Eigen::Vector2d least_energy = errors(Eigen::MatrixXd(n, 0)), with_response = errors(runs);
+    EXPECT_GT(least_energy[0], 1e-2);
+    EXPECT_LT(with_response[0], 1e-3);
+    EXPECT_GT(least_energy[1], 5e-3);
+    EXPECT_LT(with_response[1], 1e-3);
   }
 
   INSTANTIATE_TEST_SUITE_P(Laws, BentTails, ::testing::Values("st-venant-kirchhoff", "neo-hookean"),
