@@ -151,7 +151,8 @@ namespace swimtwin
       if (doubt.finding.empty() || !(carried.any() || is_in_data))
         return {};
       return doubt.finding +
-             " with the scene's viscosity and stiffness: where the data have it, the estimates make up for it";
+             " (with the scene's viscosity and stiffness); where the data have it, the estimates make up "
+             "for it";
     }
 
     void complete(const CalibrateCommand &command, const ReducedModel &model, const CalibrationProblem &problem,

@@ -79,10 +79,11 @@ namespace swimtwin
     const double missed = missed_share(shares, carried);
     if (missed <= noticed_share)
       return {};
-    const bool is_wrong = extreme.group(scene) > largest_unsteady_group;
-    return {fmt::format("{}, and the reduced swimmer neglects {}, {}{}", place,
-                        carried.any() ? "part of the inertia" : "inertia", share_of_displacement(missed),
-                        is_wrong ? fmt::format(" (above {} displacements are wrong)", largest_unsteady_group) : ""),
+    const bool        is_wrong = extreme.group(scene) > largest_unsteady_group;
+    const std::string limit =
+        is_wrong ? fmt::format(", more than the {} up to which inertia may be left out", largest_unsteady_group) : "";
+    return {fmt::format("{}{}, and the reduced swimmer neglects {}, {}", place, limit,
+                        carried.any() ? "part of the inertia" : "inertia", share_of_displacement(missed)),
             is_wrong};
   }
 

@@ -170,6 +170,17 @@ namespace swimtwin
       return most;
     }
 
+    /// Of the goal's swimmer, or of the member of a robust goal that is worst.
+    InertiaDoubt doubt_of(const Scene &scene, const SwimmingGoal &goal, const double frequency_Hz)
+    {
+      InertiaDoubt worst = doubt_inertia(scene, goal.inertia, extreme_of(scene, goal, frequency_Hz));
+      for (const SwimmerParameters &member : members_of(goal))
+        if (const InertiaDoubt doubt = doubt_inertia(scene, goal.inertia, extreme_of(member, frequency_Hz));
+            doubt.is_wrong && !worst.is_wrong)
+          worst = doubt;
+      return worst;
+    }
+
     /// At the higher of the frequencies that the gain is of.
     InertiaDoubt doubt_of(const Scene &scene, const SwimmingGoal &goal, const PlanResult &plan)
     {
@@ -177,7 +188,7 @@ namespace swimtwin
       for (const char *name : {optimal_field_name, tuned_field_name})
         if (const PlannedField *field = plan.find(name); field && field->moves)
           highest_Hz = std::max(highest_Hz, field->frequency_Hz);
-      return highest_Hz > 0. ? doubt_inertia(scene, goal.inertia, extreme_of(scene, goal, highest_Hz)) : InertiaDoubt();
+      return highest_Hz > 0. ? doubt_of(scene, goal, highest_Hz) : InertiaDoubt();
     }
 
     PlanResult make_plan(const OptimizeCommand &command, const PlanInput &input)
@@ -219,14 +230,16 @@ namespace swimtwin
 
     void conclude(const OptimizeCommand &command, const PlanResult &plan, const InertiaDoubt &doubt)
     {
+      const bool is_refused = doubt.is_wrong && !command.inertia.allowed;
       for (const std::string &warning : plan.warnings)
-        warn(warning);
+        if (!is_refused || warning != doubt.warning()) // it is the error
+          warn(warning);
       if (!command.common.quiet)
         say("{}{}  gain {:.3g} over the tuned sinusoid, found in {:.3g} s\n  {}\n  results in {}\n", field_table(plan),
             trade_off_text(plan), plan.gain(), plan.search_time_s, plan.confirmation(), command.common.output.string());
       if (!is_usable(plan))
         throw ComputationError(fmt::format("no field was found ({}): {}", plan.status, plan.message));
-      if (doubt.is_wrong && !command.inertia.allowed)
+      if (is_refused)
         throw ComputationError(doubt.refusal("lower [field] frequency_high_Hz or raise [swimmer] viscosity_Pa_s"));
     }
 
@@ -274,7 +287,7 @@ namespace swimtwin
                         SwimmingGoal &goal)
     {
       goal.inertia             = carried_inertia(scene, model, extreme_of(scene, goal, goal.frequency_Hz.high));
-      const InertiaDoubt doubt = doubt_inertia(scene, goal.inertia, extreme_of(scene, goal, goal.frequency_Hz.low));
+      const InertiaDoubt doubt = doubt_of(scene, goal, goal.frequency_Hz.low);
       accept_doubt(doubt, command.inertia.allowed, "lower [field] frequency_low_Hz or raise [swimmer] viscosity_Pa_s");
     }
 

@@ -90,8 +90,9 @@ namespace swimtwin
 
     InertiaRecord inertia_record(const ReducedRun &run)
     {
-      const auto [fluid, tail, head] = extreme_of(run).shares(run.scene);
-      return {names_of(run.inertia), fluid, tail, head, 0.};
+      const InertiaShares shares      = extreme_of(run).shares(run.scene);
+      const bool          is_left_out = run.scene.fluid->inertia == Inertia::automatic && !run.inertia.any();
+      return {names_of(run.inertia), shares.fluid, shares.tail, shares.head, is_left_out ? shares.together() : 0.};
     }
 
     SwimmerRun motion_of(const ReducedRun &run, const double relative_tolerance)

@@ -1,7 +1,8 @@
 #include <rom/swimmer/wide_product.h>
 
-// Sanitizers cannot watch the code that chooses.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
+// Sanitizers cannot watch the code that chooses; the compiler must know the name, the loader how to choose.
+#if defined(__x86_64__) && defined(__GLIBC__) && !defined(__clang__) && __GNUC__ >= 12 &&                              \
+    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define SWIMTWIN_FOR_WIDE_VECTORS_TOO __attribute__((target_clones("arch=x86-64-v3", "default")))
 #else
 #define SWIMTWIN_FOR_WIDE_VECTORS_TOO

@@ -46,25 +46,20 @@ namespace swimtwin
       return reach;
     }
 
-    /// The mean over runs; one that gets less than a twentieth of the farthest counts as if it got so far.
+    /// Half of the head's path over how far it got: the median over runs, some of which may get nowhere.
     double to_and_fro(const std::vector<SnapshotSet> &sets)
     {
-      constexpr double smallest_share = 0.05;
-      const auto       going          = [](const SnapshotSet &set) {
-        return (set.pose.bottomRows<1>() - set.pose.topRows<1>()).leftCols<2>().norm();
-      };
-      double farthest = 0., sum = 0.;
-      for (const auto &set : sets)
-        farthest = std::max(farthest, going(set));
-      if (farthest == 0.)
-        return 0.;
+      std::vector<double> ratios;
       for (const auto &set : sets)
       {
         const Eigen::Index n    = set.pose.rows() - 1;
         const double       path = (set.pose.bottomRows(n) - set.pose.topRows(n)).leftCols<2>().rowwise().norm().sum();
-        sum += .5 * path / std::max(going(set), smallest_share * farthest);
+        const double       way  = (set.pose.bottomRows<1>() - set.pose.topRows<1>()).leftCols<2>().norm();
+        ratios.push_back(path > 0. ? .5 * path / way : 0.);
       }
-      return sum / static_cast<double>(sets.size());
+      const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+      std::nth_element(ratios.begin(), middle, ratios.end());
+      return *middle;
     }
   } // namespace
 

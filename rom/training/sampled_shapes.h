@@ -13,7 +13,7 @@ namespace swimtwin
   {
     UsualPlace      usual;
     Eigen::Vector2d reach_m;         ///< how far the middle went along x, and the head's height from the usual one
-    double          to_and_fro = 0.; ///< half of the head's path over how far it got
+    double          to_and_fro = 0.; ///< half of the head's path over how far it got, of a typical run
   };
 
   /// From runs, whose points are those of the snapshots in the same order; sets their heights. The head is at rest at

@@ -177,7 +177,7 @@ namespace swimtwin
     return digest(bytes);
   }
 
-  /// Of a relative change of the resistance that swings to and fro with the head, at most.
+  /// Of a relative change of the resistance that comes and goes with the head.
   template <int dim>
   double Training<dim>::share_of_displacement(const double change) const
   {
@@ -317,12 +317,14 @@ namespace swimtwin
                                            1e3 * wandering_.reach_m[0], 100. * pose_.on_way));
     if (!scene_.domain->moves_with_swimmer && !region_.depends_on_height)
       r.neglects.push_back(fmt::format("The height in the domain: over the {:.2g} mm from the usual one, resistance "
-                                       "changes by at most {:.2g} % (at most {:.2g} % of the displacement).",
+                                       "changes by at most {:.2g} % (some {:.2g} % of the displacement).",
                                        1e3 * wandering_.reach_m[1], 100. * pose_.on_height,
                                        100. * share_of_displacement(pose_.on_height)));
     if (!scene_.domain->moves_with_swimmer && !region_.depends_on_angle)
       r.neglects.push_back(
-          fmt::format("The angle in the domain: resistance changes by at most {:.2g} %.", 100. * pose_.on_angle));
+          fmt::format("The angle in the domain: resistance changes by at most {:.2g} % (some {:.2g} % of the "
+                      "displacement).",
+                      100. * pose_.on_angle, 100. * share_of_displacement(pose_.on_angle)));
     r.neglects.push_back(fmt::format("Shapes outside the modes: {:.2g} um root mean square of those in the runs.",
                                      1e6 * basis_.projection_error_m));
   }

@@ -44,20 +44,23 @@ namespace swimtwin
     EXPECT_NEAR(found.reach_m[1], 1.5e-3, 2e-5);
   }
 
-  // Half of the path over the way; who gets nowhere counts as if he got a twentieth of the farthest.
+  // Half of the path over the way, of the middle one of three runs: one gets nowhere, one goes straight on.
   TEST(Wandering, TellsHowFarTheHeadGoesToAndFro)
   {
-    const Scene              scene = shipped_scene("reference-2d-casefile");
-    const Swimmer<2>         swimmer(scene, MPI_COMM_WORLD);
-    const auto               n_shape = 2 * static_cast<Eigen::Index>(swimmer.tail().mesh.n_nodes());
-    std::vector<SnapshotSet> sets(2);
-    sets[0].pose        = Eigen::MatrixXd::Zero(5, 3);
-    sets[1].pose        = Eigen::MatrixXd::Zero(3, 3);
-    sets[0].pose.col(0) = 1e-3 * Eigen::VectorXd{{0., 1., 0., 1., .5}};
-    sets[1].pose.col(0) = 1e-3 * Eigen::VectorXd{{0., 1., 0.}};
-    for (auto &set : sets)
-      set.tail_displacement_m = Eigen::MatrixXd::Zero(set.pose.rows(), n_shape);
-    std::vector<ShapePoint> points(8, {Eigen::Vector2d(1e-3, 0.), 0., 0., 0.});
-    EXPECT_NEAR(wandering<2>(sets, swimmer, points).to_and_fro, (3.5 + 40.) / 2., 1e-9);
+    const Scene                          scene = shipped_scene("reference-2d-casefile");
+    const Swimmer<2>                     swimmer(scene, MPI_COMM_WORLD);
+    const auto                           n_shape = 2 * static_cast<Eigen::Index>(swimmer.tail().mesh.n_nodes());
+    std::vector<SnapshotSet>             sets(3);
+    const std::array<Eigen::VectorXd, 3> x{Eigen::VectorXd{{0., 1., 0., 1., .5}}, Eigen::VectorXd{{0., 1., 0.}},
+                                           Eigen::VectorXd{{0., 1., 2.}}};
+    Eigen::Index                         n = 0;
+    for (std::size_t s = 0; s < sets.size(); n += x[s++].size())
+    {
+      sets[s].pose                = Eigen::MatrixXd::Zero(x[s].size(), 3);
+      sets[s].pose.col(0)         = 1e-3 * x[s];
+      sets[s].tail_displacement_m = Eigen::MatrixXd::Zero(x[s].size(), n_shape);
+    }
+    std::vector<ShapePoint> points(static_cast<std::size_t>(n), {Eigen::Vector2d(1e-3, 0.), 0., 0., 0.});
+    EXPECT_NEAR(wandering<2>(sets, swimmer, points).to_and_fro, 3.5, 1e-9);
   }
 } // namespace swimtwin
