@@ -1,5 +1,6 @@
 #include <app/carried_inertia.h>
 
+#include <datasets/system/console.h>
 #include <datasets/system/error.h>
 #include <reports/page/number_text.h>
 
@@ -87,9 +88,16 @@ namespace swimtwin
             is_wrong};
   }
 
+  void warn_of(const std::vector<std::string> &warnings, const InertiaDoubt &doubt, const bool allowed)
+  {
+    for (const std::string &warning : warnings)
+      if (!doubt.refuses(allowed) || warning != doubt.warning())
+        warn(warning);
+  }
+
   std::string accept_doubt(const InertiaDoubt &doubt, const bool allowed, const std::string &remedy)
   {
-    if (doubt.is_wrong && !allowed)
+    if (doubt.refuses(allowed))
       throw InputError(doubt.refusal(remedy));
     return doubt.warning();
   }

@@ -4,6 +4,7 @@
 #include <rom/swimmer/carried_inertia.h>
 
 #include <string>
+#include <vector>
 
 namespace CLI
 {
@@ -32,6 +33,7 @@ namespace swimtwin
     std::string finding;          ///< one clause on inertia that is left out, or carried too far; empty if it is little
     bool        is_wrong = false; ///< displacements are
 
+    bool refuses(const bool allowed) const { return is_wrong && !allowed; }
     /// The finding, and what follows for a result that is given all the same.
     std::string warning() const;
     /// Why there is none, with the remedy ("lower ..."); of a doubt that `is_wrong`.
@@ -39,6 +41,9 @@ namespace swimtwin
   };
 
   InertiaDoubt doubt_inertia(const Scene &scene, const InertiaTerms &carried, const InertialExtreme &extreme);
+
+  /// Say them, but for the doubt's own where the refusal says it.
+  void warn_of(const std::vector<std::string> &warnings, const InertiaDoubt &doubt, bool allowed);
 
   /// The warning. Throws InputError where displacements are wrong, unless that is allowed.
   std::string accept_doubt(const InertiaDoubt &doubt, bool allowed, const std::string &remedy);

@@ -230,16 +230,13 @@ namespace swimtwin
 
     void conclude(const OptimizeCommand &command, const PlanResult &plan, const InertiaDoubt &doubt)
     {
-      const bool is_refused = doubt.is_wrong && !command.inertia.allowed;
-      for (const std::string &warning : plan.warnings)
-        if (!is_refused || warning != doubt.warning()) // it is the error
-          warn(warning);
+      warn_of(plan.warnings, doubt, command.inertia.allowed);
       if (!command.common.quiet)
         say("{}{}  gain {:.3g} over the tuned sinusoid, found in {:.3g} s\n  {}\n  results in {}\n", field_table(plan),
             trade_off_text(plan), plan.gain(), plan.search_time_s, plan.confirmation(), command.common.output.string());
       if (!is_usable(plan))
         throw ComputationError(fmt::format("no field was found ({}): {}", plan.status, plan.message));
-      if (is_refused)
+      if (doubt.refuses(command.inertia.allowed))
         throw ComputationError(doubt.refusal("lower [field] frequency_high_Hz or raise [swimmer] viscosity_Pa_s"));
     }
 

@@ -135,8 +135,8 @@ namespace swimtwin
       record.provenance = {current_program_version, common.command_line,  scene.text, scene.hash,
                            utc_time_now(),          wall_time_s() - start};
       write(command, record);
-      for (const std::string &warning : record.warnings)
-        warn(warning);
+      const InertiaDoubt doubt = record.way.found() ? doubt_of(command, by.model, record) : InertiaDoubt();
+      warn_of(record.warnings, doubt, command.inertia.allowed);
       if (!record.way.found())
         throw InputError(
             fmt::format("{}: the target is infeasible: {}; allow more time or a wider [target] distance, or "
@@ -144,7 +144,7 @@ namespace swimtwin
                         command.goal, record.message()));
       if (!common.quiet)
         print(record, common);
-      if (const InertiaDoubt doubt = doubt_of(command, by.model, record); doubt.is_wrong && !command.inertia.allowed)
+      if (doubt.refuses(command.inertia.allowed))
         throw ComputationError(doubt.refusal("lower [target] frequency_high_Hz or raise [swimmer] viscosity_Pa_s"));
     }
   } // namespace

@@ -174,7 +174,9 @@ namespace swimtwin
                                     lower_times(C_rate, transposed_lower_times(C, at_rest));
         v.force += .5 * density * lower_times(L0, half);
       }
-    std::array<Eigen::VectorXd, 2> products; // of velocities: even, odd
+    constexpr int n_most = max_velocities * (max_velocities + 1) / 2;
+    using PairVector     = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, n_most, 1>;
+    std::array<PairVector, 2> products; // of velocities: even, odd
     for (std::size_t odd : {0, 1})
     {
       products[odd].resize(static_cast<Eigen::Index>(pairs_[odd].size()));
@@ -185,7 +187,7 @@ namespace swimtwin
     for (const bool even : {true, false}) // entries; those of one force follow each other
       for (int i = 0; i < n_; ++i)
       {
-        const Eigen::VectorXd &of_force = products[(velocity_parity_[i] > 0) == even ? 0 : 1];
+        const PairVector &of_force = products[(velocity_parity_[i] > 0) == even ? 0 : 1];
         v.force[i] += v.quadratic_entries.col(0).segment(row, of_force.size()).dot(of_force);
         row += of_force.size();
       }

@@ -1,5 +1,5 @@
-// Lower triangular matrices of a few rows, as plain loops over their halves: Eigen's products, which also multiply the
-// zeros, take twice as long and more.
+// Lower triangular matrices of a few rows, as plain loops over their halves: Eigen's products multiply the
+// zeros too.
 #pragma once
 
 #include <rom/swimmer/state_vectors.h>

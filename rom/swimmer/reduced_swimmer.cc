@@ -27,6 +27,12 @@ namespace swimtwin
     {
       return nodes.rowwise().norm().maxCoeff();
     }
+
+    /// L^T xi, L = L_0 C: its square is the dissipation over the viscosity.
+    VelocityVector pulled_back(const VelocityMatrix &factor_at_rest, const SwimmerMotion &motion)
+    {
+      return transposed_lower_times(motion.resistance.factor, transposed_lower_times(factor_at_rest, motion.velocity));
+    }
   } // namespace
 
   ReducedSwimmer::ReducedSwimmer(const ReducedModel &model, const InertialDensities &densities)
@@ -203,9 +209,8 @@ namespace swimtwin
 
   VelocityVector ReducedSwimmer::drag(const SwimmerMotion &motion, const double viscosity) const
   {
-    const auto          &L0 = resistance_.factor_at_rest(), &C = motion.resistance.factor;
-    const VelocityVector w = transposed_lower_times(C, transposed_lower_times(L0, motion.velocity));
-    return viscosity * lower_times(L0, lower_times(C, w));
+    const VelocityMatrix &L0 = resistance_.factor_at_rest();
+    return viscosity * lower_times(L0, lower_times(motion.resistance.factor, pulled_back(L0, motion)));
   }
 
   void ReducedSwimmer::move(const SwimmerState &state, const Eigen::Vector2d &field_T,
@@ -215,11 +220,10 @@ namespace swimtwin
     const ShapeVector    q = shape_of(state);
     const VelocityVector f =
         magnetic_force(q, moment(q, parameters), in_head_frame(state[2], field_T), parameters.tail_magnetization_A_m);
-    const VelocityVector pulled =
-        motion.resistance.factor.transpose() * (resistance_.factor_at_rest().transpose() * motion.velocity);
     motion.magnetic_power_W_m = f.dot(motion.velocity);
-    motion.dissipation_W_m    = parameters.viscosity_Pa_s * pulled.squaredNorm();
-    motion.elastic_power_W_m  = parameters.young_modulus_Pa * energy_.gradient(q).dot(motion.velocity.tail(r_));
+    motion.dissipation_W_m =
+        parameters.viscosity_Pa_s * pulled_back(resistance_.factor_at_rest(), motion).squaredNorm();
+    motion.elastic_power_W_m = parameters.young_modulus_Pa * energy_.gradient(q).dot(motion.velocity.tail(r_));
     if (!has_inertia_)
       return;
     const VelocityVector momentum = motion.inertia.mass * motion.velocity;
