@@ -90,6 +90,8 @@ namespace swimtwin
     {
       if (is_magnetised(scene) && scene.field.leaves_plane())
         return "the field has a component along z";
+      if (scene.head.magnetization_A_m != 0. && scene.head.magnetization_direction[2] != 0.)
+        return "the head's magnetization has a component along z";
       return scene.gravity.leaves_plane() ? "gravity has a component along z" : "";
     }
 

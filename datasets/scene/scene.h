@@ -102,7 +102,9 @@ namespace swimtwin
     double                angle_rad         = 0.; ///< of the whole swimmer at time 0
     double                density_kg_m3     = 0.;
     double                magnetization_A_m = 0.;
-    HeadMotion            motion            = HeadMotion::free;
+    /// Unit vector in the head's frame; in two dimensions +x.
+    std::array<double, 3> magnetization_direction = {1., 0., 0.};
+    HeadMotion            motion                  = HeadMotion::free;
     HeadOscillation       oscillation; ///< of a prescribed motion
     /// Of the shape `surface`, in space: in the head's frame (m), whose origin is the centre of its volume.
     std::shared_ptr<const ClosedSurface>  surface;

@@ -201,6 +201,7 @@ namespace swimtwin
       table.number("angle_rad", optional("rad", any_number), head.angle_rad);
       table.number("density_kg_m3", optional("kg/m^3"), head.density_kg_m3);
       table.number("magnetization_A_m", optional("A/m", any_number), head.magnetization_A_m);
+      table.triple("magnetization_direction", optional("", any_number), head.magnetization_direction);
       table.number("young_modulus_Pa", optional("Pa"), head.young_modulus_Pa);
       table.number("poisson_ratio", optional("", poisson_range), head.poisson_ratio);
       read_choice(table, "motion", head.motion);
@@ -208,7 +209,12 @@ namespace swimtwin
       table.finish();
       if (head.shape == HeadShape::disc)
         head.size_m = {diameter_m, diameter_m};
-      head.oscillation = read_oscillation(document);
+      head.oscillation    = read_oscillation(document);
+      auto &[x, y, z]     = head.magnetization_direction;
+      const double length = std::hypot(x, y, z);
+      if (length == 0.)
+        document.refuse("head", "magnetization_direction", "has no direction; give a vector such as [0.0, 1.0, 0.0].");
+      head.magnetization_direction = {x / length, y / length, z / length};
       return head;
     }
 

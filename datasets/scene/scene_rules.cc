@@ -139,6 +139,9 @@ namespace swimtwin
 
     void check_plane(const TomlDocument &document, const Scene &scene)
     {
+      refuse_entry(document, "head", "magnetization_direction",
+                   "is for three dimensions: a head in the plane is magnetised along its +x; remove it, or use "
+                   "dimension = 3.");
       if (!scene.field.leaves_plane())
         return;
       const bool is_program = has(document, "field", "program");

@@ -11,42 +11,43 @@ namespace swimtwin
 {
   using namespace dealii;
 
+  namespace
+  {
+    /// Some unit vector across a unit vector; across one in the plane of x and y, that of z.
+    Tensor<1, 3> across(const Tensor<1, 3> &direction)
+    {
+      Tensor<1, 3> other;
+      other[std::abs(direction[2]) < .9 ? 2 : 0] = 1.;
+      other -= (other * direction) * direction;
+      return other / other.norm();
+    }
+  } // namespace
+
   template <int dim>
-  MagneticTorque<dim> magnetic_torque(const double moment_A_m2, const Attitude<dim> &attitude,
-                                      const std::array<double, 3> &field_T)
+  MagneticTorque<dim> magnetic_torque(const double moment_A_m2, const Tensor<1, dim> &direction,
+                                      const Attitude<dim> &attitude, const std::array<double, 3> &field_T)
   {
     const Tensor<2, dim> R = attitude.rotation();
-    MagneticTorque<dim>  result;
+    const Tensor<1, dim> m = moment_A_m2 * (R * direction);
+    Tensor<1, dim>       B;
+    for (int c = 0; c < dim; ++c)
+      B[c] = field_T[c];
+    MagneticTorque<dim> result;
+    result.torque = torque_of_force<dim>(m, B);
     if constexpr (dim == 2)
     {
-      const double c = R[0][0], s = R[1][0];
-      result.torque[0]        = moment_A_m2 * (c * field_T[1] - s * field_T[0]);
-      result.derivative[0][0] = -moment_A_m2 * (s * field_T[1] + c * field_T[0]);
+      result.derivative[0][0] = -m * B;
+      result.axis[0]          = 1.;
     }
     else
     {
-      const Tensor<1, 3> m({moment_A_m2 * R[0][0], moment_A_m2 * R[1][0], moment_A_m2 * R[2][0]}),
-          B({field_T[0], field_T[1], field_T[2]});
-      result.torque = torque_of_force<3>(m, B);
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
           result.derivative[i][j] = .5 * (m[i] * B[j] + m[j] * B[i]) - (i == j ? m * B : 0.);
+      const double size = result.torque.norm();
+      result.axis       = size > 0. ? result.torque / size : R * across(direction);
     }
     return result;
-  }
-
-  template <int dim>
-  AngularVelocity<dim> turning_axis(const AngularVelocity<dim> &torque, const Attitude<dim> &attitude)
-  {
-    AngularVelocity<dim> axis;
-    if constexpr (dim == 2)
-      axis[0] = 1.;
-    else if (const double size = torque.norm(); size > 0.)
-      axis = torque / size;
-    else
-      for (int i = 0; i < 3; ++i)
-        axis[i] = attitude.rotation()[i][2]; // where half of the scene is solved, the only one
-    return axis;
   }
 
   template <int dim>
@@ -305,7 +306,11 @@ namespace swimtwin
   template <int dim>
   MagneticTorque<dim> Swimmer<dim>::torque_on_head(const Attitude<dim> &attitude, const double time_s) const
   {
-    return magnetic_torque(scene_.head.magnetization_A_m * scene_.head.volume(dim), attitude, scene_.field(time_s));
+    Tensor<1, dim> direction;
+    for (int c = 0; c < dim; ++c)
+      direction[c] = scene_.head.magnetization_direction[c];
+    return magnetic_torque(scene_.head.magnetization_A_m * scene_.head.volume(dim), direction, attitude,
+                           scene_.field(time_s));
   }
 
   template <int dim>
@@ -326,10 +331,10 @@ namespace swimtwin
     return configuration.pose.heading() + std::atan2(tangent[1], tangent[0]);
   }
 
-  template MagneticTorque<2>  magnetic_torque<2>(double, const Attitude<2> &, const std::array<double, 3> &);
-  template MagneticTorque<3>  magnetic_torque<3>(double, const Attitude<3> &, const std::array<double, 3> &);
-  template AngularVelocity<2> turning_axis<2>(const AngularVelocity<2> &, const Attitude<2> &);
-  template AngularVelocity<3> turning_axis<3>(const AngularVelocity<3> &, const Attitude<3> &);
+  template MagneticTorque<2> magnetic_torque<2>(double, const Tensor<1, 2> &, const Attitude<2> &,
+                                                const std::array<double, 3> &);
+  template MagneticTorque<3> magnetic_torque<3>(double, const Tensor<1, 3> &, const Attitude<3> &,
+                                                const std::array<double, 3> &);
 
   template class Swimmer<2>;
   template class Swimmer<3>;

@@ -45,16 +45,13 @@ namespace swimtwin
   {
     AngularVelocity<dim>                        torque;
     dealii::Tensor<2, n_rotations<dim>, double> derivative;
+    AngularVelocity<dim>                        axis; ///< the torque's, and where there is none any across the moment
   };
 
-  /// m x B, where the moment m points along the body's +x; both in the laboratory.
+  /// m x B of a moment with a direction (unit vector) in the body's frame; in the laboratory.
   template <int dim>
-  MagneticTorque<dim> magnetic_torque(double moment_A_m2, const Attitude<dim> &attitude,
-                                      const std::array<double, 3> &field_T);
-
-  /// The axis about which a torque turns: its own, and where there is none any one across the body's +x.
-  template <int dim>
-  AngularVelocity<dim> turning_axis(const AngularVelocity<dim> &torque, const Attitude<dim> &attitude);
+  MagneticTorque<dim> magnetic_torque(double moment_A_m2, const dealii::Tensor<1, dim> &direction,
+                                      const Attitude<dim> &attitude, const std::array<double, 3> &field_T);
 
   /// The body's description; it does not move. Built once per run. Collective; throws InputError if the scene's mesh
   /// size does not do for the tail.

@@ -371,8 +371,8 @@ namespace swimtwin
   template <int dim>
   void CoupledSystem<dim>::assemble_head(const LinearizationPoint<dim> &point)
   {
-    const auto [torque, derivative] = swimmer_.torque_on_head(point.configuration.pose, point.time_s);
-    turning_field_ = {derivative * point.slope_weight, turning_axis<dim>(torque, point.configuration.pose)};
+    const auto [torque, derivative, axis] = swimmer_.torque_on_head(point.configuration.pose, point.time_s);
+    turning_field_                        = {derivative * point.slope_weight, axis};
     if (rank_ + 1 != n_ranks_)
       return;
     const double         length = map_.length_scale();

@@ -50,8 +50,8 @@ namespace swimtwin
     flow_->assemble(configuration, rates.shape_rate, step.time_s);
 
     // The tail's internal forces do no work in a rigid motion; its dead loads do.
-    const auto [torque, derivative] = swimmer_.torque_on_head(configuration.pose, step.time_s);
-    const TurningField<dim> field{derivative * step.slope_weight, turning_axis<dim>(torque, configuration.pose)};
+    const auto [torque, derivative, axis] = swimmer_.torque_on_head(configuration.pose, step.time_s);
+    const TurningField<dim> field{derivative * step.slope_weight, axis};
     Tensor<1, dim>          force  = swimmer_.force_on_head(step.time_s);
     AngularVelocity<dim>    moment = torque - field.torque_by_rate * rates.omega;
     const auto              x      = swimmer_.tail_positions(configuration);

@@ -33,6 +33,10 @@ namespace swimtwin
       require(scene, !scene.has_surfaces(),
               "it has walls or a body from surface files, which a model cannot carry along",
               "run it with simulate, or use a domain and a head that are known by their shapes");
+      require(scene, scene.head.magnetization_direction == (std::array{1., 0., 0.}),
+              "its [head] magnetization_direction is not the body's +x, along which the reduced swimmer's head is "
+              "magnetised",
+              "run it with simulate, or take the direction out");
       require(scene, !scene.field.leaves_plane(),
               "the field leaves the plane of x and y, and the reduced swimmer moves in it", "set bz_T to zero");
       require(scene, moves_in_plane(scene), "half of it is not solved by itself, and the reduced swimmer is",

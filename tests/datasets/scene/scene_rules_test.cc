@@ -428,8 +428,15 @@ namespace swimtwin
                    "[field] frequency_Hz is missing; a sinusoidal field needs");
   }
 
-  TEST(SceneRules, AFieldAlongZIsForThreeDimensions)
+  TEST(SceneRules, AFieldAlongZAndAMagnetAcrossAreForThreeDimensions)
   {
+    expect_refused({"head.magnetization_direction=[0.0, 1.0, 0.0]"},
+                   "[head] magnetization_direction = [0, 1, 0] is for three dimensions");
+    expect_refused(in_space + Overrides{"head.magnetization_direction=[0.0, 0.0, 0.0]"},
+                   "[head] magnetization_direction = [0, 0, 0] has no direction");
+    expect_refused(in_space + Overrides{"head.magnetization_direction=[0.0, 0.0, 1.0]", "numerics.symmetric_half=on"},
+                   "needs a scene that is its own mirror image, but the head's magnetization has a component along z");
+    expect_accepted(swimmer_toml, in_space + Overrides{"head.magnetization_direction=[0.0, 2.0, 0.0]"});
     const Overrides cone{"field.bz_T=5e-3", "field.bz_phase_rad=1.57"};
     expect_refused(cone, "[field] bz_T = 0.005 is not zero, which turns the swimmer out of the plane; set bz_T to "
                          "zero, or use dimension = 3.");

@@ -49,6 +49,8 @@ namespace swimtwin
     };
   } // namespace
 
+  const Tensor<1, 2> along_x({1., 0.});
+
   // Torque is minus the derivative of -m . B; a central difference of a sine, h^2 / 6 off.
   TEST(MagneticTorque, IsTheDerivativeOfTheEnergy)
   {
@@ -59,9 +61,9 @@ namespace swimtwin
     };
     for (const double angle : {-2., 0., 0.5, 3.})
     {
-      const auto torque = [&](const double at) { return magnetic_torque<2>(moment, {at}, field).torque[0]; };
+      const auto torque = [&](const double at) { return magnetic_torque<2>(moment, along_x, {at}, field).torque[0]; };
       EXPECT_NEAR(torque(angle), -(energy(angle + h) - energy(angle - h)) / (2. * h), moment * h * h);
-      EXPECT_NEAR((magnetic_torque<2>(moment, {angle}, field).derivative[0][0]),
+      EXPECT_NEAR((magnetic_torque<2>(moment, along_x, {angle}, field).derivative[0][0]),
                   (torque(angle + h) - torque(angle - h)) / (2. * h), moment * h * h);
     }
   }
@@ -202,7 +204,8 @@ namespace swimtwin
       magnitude += f.norm();
       torque += x[a][0] * f[1] - x[a][1] * f[0];
     }
-    const double expected = magnetic_torque<2>(3e4 * swimmer.elasticity().volume(), {0.6}, scene.field(t)).torque[0];
+    const double expected =
+        magnetic_torque<2>(3e4 * swimmer.elasticity().volume(), along_x, {0.6}, scene.field(t)).torque[0];
     EXPECT_LE(force.norm(), 1e-12 * magnitude);
     EXPECT_NEAR(torque, expected, 1e-11 * std::abs(expected));
   }
@@ -269,19 +272,38 @@ namespace swimtwin
     attitude.turn(AngularVelocity<3>({.4, -1.1, .7}));
     const AngularVelocity<3> directions[] = {AngularVelocity<3>({1., 0., 0.}), AngularVelocity<3>({0.6, 0., -0.8}),
                                              AngularVelocity<3>({-.3, .5, .2})};
-    const auto [torque, derivative]       = magnetic_torque<3>(moment, attitude, field);
-    const auto energy                     = [&](const AngularVelocity<3> &v, const double s) {
-      Attitude<3> at = attitude;
-      at.turn(s * v);
-      const Tensor<2, 3> turned = at.rotation();
-      return -moment * (turned[0][0] * field[0] + turned[1][0] * field[1] + turned[2][0] * field[2]);
-    };
-    for (const auto &v : directions)
+    for (const Tensor<1, 3> &direction :
+         {Tensor<1, 3>({1., 0., 0.}), Tensor<1, 3>({0., 1., 0.}), Tensor<1, 3>({.36, -.48, .8})})
     {
-      EXPECT_NEAR(torque * v, -(energy(v, h) - energy(v, -h)) / (2. * h), moment * h * h);
-      EXPECT_NEAR(v * (derivative * v), -(energy(v, h) - 2. * energy(v, 0.) + energy(v, -h)) / (h * h), moment * h * h);
+      const auto [torque, derivative, axis] = magnetic_torque<3>(moment, direction, attitude, field);
+      const auto energy                     = [&](const AngularVelocity<3> &v, const double s) {
+        Attitude<3> at = attitude;
+        at.turn(s * v);
+        return -moment * (at.rotation() * direction * Tensor<1, 3>({field[0], field[1], field[2]}));
+      };
+      for (const auto &v : directions)
+      {
+        EXPECT_NEAR(torque * v, -(energy(v, h) - energy(v, -h)) / (2. * h), moment * h * h);
+        EXPECT_NEAR(v * (derivative * v), -(energy(v, h) - 2. * energy(v, 0.) + energy(v, -h)) / (h * h),
+                    moment * h * h);
+      }
+      EXPECT_LE((derivative - transpose(derivative)).norm(), 1e-15);
+      EXPECT_NEAR(axis * torque, torque.norm(), 1e-15);
     }
-    EXPECT_LE((derivative - transpose(derivative)).norm(), 1e-15);
+  }
+
+  // A field along the moment turns nothing; what it may turn it about is across the moment.
+  TEST(MagneticTorque, InSpaceHasAnAxisWhereThereIsNone)
+  {
+    const Attitude<3> attitude;
+    for (const Tensor<1, 3> &direction :
+         {Tensor<1, 3>({1., 0., 0.}), Tensor<1, 3>({0., 0., 1.}), Tensor<1, 3>({.36, -.48, .8})})
+    {
+      const auto result = magnetic_torque<3>(0., direction, attitude, {direction[0], direction[1], direction[2]});
+      EXPECT_EQ(result.torque.norm(), 0.);
+      EXPECT_NEAR(result.axis * direction, 0., 1e-15);
+      EXPECT_NEAR(result.axis.norm(), 1., 1e-15);
+    }
   }
 
   // A turned cylinder: int rho |omega x r|^2 / 2, the middle of each ring by the midpoint rule.

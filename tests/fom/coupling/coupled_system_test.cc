@@ -102,11 +102,11 @@ namespace swimtwin
   TEST(CoupledSystem, FluidCarriesTheMagneticTorqueAndNoForceWhateverTheStress)
   {
     OneStep     step;
-    const auto  load                = step.load_on_fluid();
-    const auto &bent                = step.bent;
-    const auto [torque, derivative] = bent.swimmer.torque_on_head(bent.configuration.pose, OneStep::time_s);
-    const auto   v                  = step.system.velocities(step.unknowns);
-    const double expected           = (torque + 0.01 * derivative * (v.head_omega - bent.rates.omega))[0];
+    const auto  load                      = step.load_on_fluid();
+    const auto &bent                      = step.bent;
+    const auto [torque, derivative, axis] = bent.swimmer.torque_on_head(bent.configuration.pose, OneStep::time_s);
+    const auto   v                        = step.system.velocities(step.unknowns);
+    const double expected                 = (torque + 0.01 * derivative * (v.head_omega - bent.rates.omega))[0];
     EXPECT_NEAR(load[2], expected, 1e-9 * torque.norm());
     EXPECT_LE(std::abs(load[0]) + std::abs(load[1]), 1e-9 * torque.norm() / bent.scene.body_length_m());
   }
@@ -123,9 +123,9 @@ namespace swimtwin
       const auto r = x[a] - bent.configuration.pose.center;
       loads += Tensor<1, 3>({f[0], f[1], r[0] * f[1] - r[1] * f[0]});
     }
-    const auto on_head              = bent.swimmer.force_on_head(OneStep::time_s);
-    const auto [torque, derivative] = bent.swimmer.torque_on_head(bent.configuration.pose, OneStep::time_s);
-    const auto v                    = step.system.velocities(step.unknowns);
+    const auto on_head                    = bent.swimmer.force_on_head(OneStep::time_s);
+    const auto [torque, derivative, axis] = bent.swimmer.torque_on_head(bent.configuration.pose, OneStep::time_s);
+    const auto v                          = step.system.velocities(step.unknowns);
     loads +=
         Tensor<1, 3>({on_head[0], on_head[1], (torque + 0.01 * derivative * (v.head_omega - bent.rates.omega))[0]});
     const auto on_fluid = step.load_on_fluid();
