@@ -173,10 +173,6 @@ namespace swimtwin
             "what a meshed shape changes of its area; make a wall \"traction-free\".");
       if (has_given_shape && scene.numerics.tail_order == 1)
         document.refuse("numerics", "tail_order", "of 1 is for an elastic tail; leave it out.");
-      if (scene.numerics.coupling == CouplingScheme::fixed_point &&
-          scene.numerics.linear_solver == LinearSolver::iterative)
-        document.refuse("numerics", "linear_solver",
-                        "cannot be \"iterative\" with coupling = \"fixed-point\"; use \"direct\", or \"monolithic\".");
       if (scene.numerics.coupling == CouplingScheme::fixed_point && scene.head.is_driven() && scene.tail)
         document.refuse("numerics", "coupling",
                         "cannot be \"fixed-point\" with a prescribed motion of the head; use \"monolithic\".");

@@ -12,7 +12,7 @@ namespace swimtwin
 {
   namespace
   {
-    constexpr int most_block_iterations = 150, gmres_restart = 60;
+    constexpr int most_iterations = 150, gmres_restart = 60;
 
     bool is_finite(const std::vector<double> &values)
     {
@@ -57,6 +57,7 @@ namespace swimtwin
   void LinearSystem::clear()
   {
     KSPDestroy(&block_ksp_);
+    standard_.reset();
     KSPDestroy(&turned_ksp_);
     VecDestroy(&turned_);
     axes_ = {};
@@ -99,6 +100,8 @@ namespace swimtwin
     factors_.set_matrix(communicator_, matrix_, options_.positive_definite);
     set_up_iteration(factors_.solver(), KSPGMRES, gmres_restart);
     check_petsc(KSPConvergedDefaultSetUIRNorm(factors_.solver()), "made a solver");
+    if (is_iterative_ && options_.standard != StandardPreconditioner::none)
+      standard_ = std::make_unique<StandardIteration>(communicator_, matrix_, options_.standard);
   }
 
   void LinearSystem::set_matrix(const std::vector<double> &values, const bool is_symmetric)
@@ -137,7 +140,7 @@ namespace swimtwin
     check_petsc(VecDuplicate(rhs_, &masses_), "made vectors");
     check_petsc(KSPCreate(communicator_, &block_ksp_), "made a solver");
     check_petsc(KSPSetOperators(block_ksp_, matrix_, matrix_), "made a solver");
-    set_up_iteration(block_ksp_, KSPFGMRES, most_block_iterations);
+    set_up_iteration(block_ksp_, KSPFGMRES, most_iterations);
     use_shell(block_ksp_, blocks_.get(), [](PC shell, Vec x, Vec y) -> PetscErrorCode {
       void *blocks;
       PCShellGetContext(shell, &blocks);
@@ -176,11 +179,12 @@ namespace swimtwin
     fill(masses_, contributions);
   }
 
-  bool LinearSystem::set_up_blocks()
+  bool LinearSystem::set_up_preconditioner()
   {
     const ScopedCpuTime time(counts_.factorization_cpu_s);
     ++counts_.n_factorizations;
-    has_factors_ = blocks_->set_up(matrix_, masses_, matrix_is_symmetric_);
+    has_factors_     = standard_ ? standard_->set_up() : blocks_->set_up(matrix_, masses_, matrix_is_symmetric_);
+    factors_are_old_ = !has_factors_;
     kept_.make(options_.factorization_effort);
     return has_factors_;
   }
@@ -196,18 +200,19 @@ namespace swimtwin
     return reason > 0;
   }
 
-  bool LinearSystem::iterate_with_blocks(const std::vector<double> &guess)
+  bool LinearSystem::iterate_from(const std::vector<double> &guess)
   {
     const ScopedCpuTime time(counts_.solve_cpu_s);
+    const KSP           ksp = standard_ ? standard_->solver() : block_ksp_;
     set_guess(guess);
-    check_petsc(KSPSetTolerances(block_ksp_, tolerance_, 1e-300, 1e10, most_block_iterations), "set up a solver");
-    return iterate(block_ksp_);
+    check_petsc(KSPSetTolerances(ksp, tolerance_, 1e-300, 1e10, most_iterations), "set up a solver");
+    return iterate(ksp);
   }
 
-  bool LinearSystem::solve_by_blocks(const std::vector<double> &guess)
+  bool LinearSystem::solve_by_iterations(const std::vector<double> &guess)
   {
-    return (has_factors_ && !kept_.are_worn() && iterate_with_blocks(guess)) ||
-           (set_up_blocks() && iterate_with_blocks(guess));
+    const bool serves = has_factors_ && (!factors_are_old_ || (options_.reuse_factorization && !kept_.are_worn()));
+    return (serves && iterate_from(guess)) || (set_up_preconditioner() && iterate_from(guess));
   }
 
   bool LinearSystem::factorize()
@@ -327,9 +332,9 @@ namespace swimtwin
   {
     ++counts_.n_solves;
     bool converged = false;
-    if (blocks_)
+    if (blocks_ || standard_)
     {
-      converged = solve_by_blocks(solution);
+      converged = solve_by_iterations(solution);
       gather_solution(solution);
       return converged && is_finite(solution);
     }

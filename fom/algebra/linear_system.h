@@ -5,6 +5,7 @@
 #include <fom/algebra/block_preconditioner.h>
 #include <fom/algebra/kept_factors.h>
 #include <fom/algebra/mumps_factors.h>
+#include <fom/algebra/standard_iteration.h>
 #include <fom/algebra/turned_axes.h>
 
 #include <petscksp.h>
@@ -39,9 +40,10 @@ namespace swimtwin
     int  factorization_effort = 8; ///< of a factorisation in GMRES iterations: 7 to 8 measured in 2D at 17,000 unknowns
     bool positive_definite    = false; ///< Cholesky instead of LU
     bool symmetric            = false; ///< factorise the upper triangle of symmetric matrices alone, LDL^T
-    /// Iterative: with a preconditioner of blocks once they are known; the tolerance is on the residual, relative to
-    /// the right-hand side. Automatic: from `unknowns_for_iterations` on in space.
-    LinearSolver method = LinearSolver::direct;
+    /// Iterative: with a standard preconditioner, or one of blocks once they are known; the tolerance is on the
+    /// residual, relative to the right-hand side. Automatic: from `unknowns_for_iterations` on in space.
+    LinearSolver           method   = LinearSolver::direct;
+    StandardPreconditioner standard = StandardPreconditioner::none;
   };
 
   /// Matrix entries are given by rows and columns once (MatSetPreallocationCOO), then only their values change; entries
@@ -108,9 +110,9 @@ namespace swimtwin
     bool iterate_with_old_factors(const std::vector<double> &guess);
     /// With factors of the matrix as it is, from nothing.
     bool refine();
-    bool solve_by_blocks(const std::vector<double> &guess);
-    bool set_up_blocks();
-    bool iterate_with_blocks(const std::vector<double> &guess);
+    bool solve_by_iterations(const std::vector<double> &guess);
+    bool set_up_preconditioner();
+    bool iterate_from(const std::vector<double> &guess);
     void gather_solution(); ///< into `gathered_`, on every rank
     void gather_solution(std::vector<double> &solution);
     void fill(Vec vector, const std::vector<double> &contributions) const;
@@ -140,8 +142,9 @@ namespace swimtwin
     KSP                                  block_ksp_ = nullptr;
     PetscInt                             size_ = 0, first_row_ = 0, last_row_ = 0;
     std::unique_ptr<BlockPreconditioner> blocks_;
+    std::unique_ptr<StandardIteration>   standard_;
     bool                                 has_factors_ = false, factors_are_old_ = true;
     bool                                 matrix_is_symmetric_ = true, is_iterative_ = false;
-    KeptFactors                          kept_; ///< or blocks
+    KeptFactors                          kept_; ///< or another preconditioner
   };
 } // namespace swimtwin

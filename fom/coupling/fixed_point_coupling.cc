@@ -15,11 +15,19 @@ namespace swimtwin
     /// The tail's Newton method is to leave nothing that the coupling could notice.
     constexpr double tail_tolerance_share = 1e-2;
 
-    /// By factors, whatever their size: it has two matrices, and uses each once.
-    LinearSolverOptions factors(const Numerics &numerics, const int dimension)
+    /// By factors, whatever their size, unless iterations are asked for: it has two matrices, and uses each once.
+    LinearSolverOptions options_of_flow(const Numerics &numerics, const int dimension)
     {
       LinearSolverOptions options = solver_options(numerics, dimension);
-      options.method              = LinearSolver::direct;
+      if (options.method == LinearSolver::automatic)
+        options.method = LinearSolver::direct;
+      return options;
+    }
+
+    LinearSolverOptions options_of_tail(const Numerics &numerics, const int dimension)
+    {
+      LinearSolverOptions options = options_of_flow(numerics, dimension);
+      options.standard            = StandardPreconditioner::subdomains;
       return options;
     }
   } // namespace
@@ -27,8 +35,8 @@ namespace swimtwin
   template <int dim>
   FixedPointCoupling<dim>::FixedPointCoupling(const Swimmer<dim> &swimmer, const MPI_Comm communicator)
       : swimmer_(swimmer), numerics_(swimmer.scene().numerics), communicator_(communicator),
-        flow_solver_(communicator, factors(numerics_, dim)), tail_(swimmer, factors(numerics_, dim), communicator),
-        acceleration_(make_acceleration(numerics_))
+        flow_solver_(communicator, options_of_flow(numerics_, dim)),
+        tail_(swimmer, options_of_tail(numerics_, dim), communicator), acceleration_(make_acceleration(numerics_))
   {
   }
 

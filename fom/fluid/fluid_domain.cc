@@ -10,6 +10,17 @@ namespace swimtwin
 {
   using namespace dealii;
 
+  namespace
+  {
+    /// One mesh needs one matrix, whose factors serve all its positions; the partitioned scheme may iterate.
+    LinearSolver solver_of_mesh_motion(const Numerics &numerics)
+    {
+      return numerics.coupling == CouplingScheme::fixed_point && numerics.linear_solver == LinearSolver::iterative
+                 ? LinearSolver::iterative
+                 : LinearSolver::direct;
+    }
+  } // namespace
+
   template <int dim>
   FluidDomain<dim>::FluidDomain(const Scene &scene, FluidMesh<dim> fluid_mesh, const RigidPose<dim> &pose)
       : scene_(scene), fluid_mesh_(std::move(fluid_mesh)), numbering_(fluid_mesh_.mesh, true),
@@ -83,7 +94,8 @@ namespace swimtwin
         for (const auto &wall_node : fluid_mesh_.wall_nodes)
           still.push_back(wall_node.node);
         extension_ = std::make_unique<MeshExtension<dim>>(mesh(), numbering_, scene_.numerics.mesh_motion,
-                                                          fluid_mesh_.surface_nodes, still, mirror_pairs_);
+                                                          fluid_mesh_.surface_nodes, still, mirror_pairs_,
+                                                          solver_of_mesh_motion(scene_.numerics));
       }
       const auto extended = extension_->extend(displacement);
       if (extended.empty())

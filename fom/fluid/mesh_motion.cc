@@ -96,9 +96,12 @@ namespace swimtwin
   template <int dim>
   MeshExtension<dim>::MeshExtension(const SimplexMesh<dim> &mesh, const NodeNumbering<dim> &numbering,
                                     const MeshMotion law, std::vector<unsigned int> moving_nodes,
-                                    const std::vector<unsigned int> &still_nodes, const MirrorPairs<dim> &mirror_pairs)
+                                    const std::vector<unsigned int> &still_nodes, const MirrorPairs<dim> &mirror_pairs,
+                                    const LinearSolver solver)
       : mesh_(mesh), numbering_(numbering), moving_nodes_(std::move(moving_nodes)), map_(numbering.size(), 0, 1.),
-        condensation_(map_), system_(mesh.communicator(), {.positive_definite = true})
+        condensation_(map_),
+        system_(mesh.communicator(),
+                {.positive_definite = true, .method = solver, .standard = StandardPreconditioner::multigrid})
   {
     std::vector<char> is_unknown(numbering.size(), 0);
     for (unsigned int vertex = 0; vertex < mesh.n_vertices(); ++vertex)

@@ -23,10 +23,10 @@ namespace swimtwin
   {
   public:
     /// `moving_nodes`: nodes whose displacement will be prescribed, `still_nodes`: nodes that stay. A mesh of mirror
-    /// pairs moves as such. Collective.
+    /// pairs moves as such. `solver`: factors, or conjugate gradients with multigrid. Collective.
     MeshExtension(const SimplexMesh<dim> &mesh, const NodeNumbering<dim> &numbering, MeshMotion law,
                   std::vector<unsigned int> moving_nodes, const std::vector<unsigned int> &still_nodes,
-                  const MirrorPairs<dim> &mirror_pairs = {});
+                  const MirrorPairs<dim> &mirror_pairs = {}, LinearSolver solver = LinearSolver::direct);
 
     /// Displacement of every node for prescribed displacements of the moving nodes. Collective. An empty result means
     /// that the solve failed.

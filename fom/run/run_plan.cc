@@ -311,8 +311,11 @@ namespace swimtwin
               ? std::string("[numerics] coupling = \"fixed-point\"")
               : fmt::format("{} {} unknowns{}", iterative ? "more than" : "at most", unknowns_for_iterations,
                             scene.dimension == 3 ? "" : " in space, any number in the plane");
-      plan.solved.push_back(
-          {"linear systems", fmt::format("{}: {}", iterative ? "FGMRES, blocks by physics" : "factors", why)});
+      const char *const how = !iterative              ? "factors"
+                              : is_partitioned(scene) ? "FGMRES with blocks by physics (fluid and rigid motion), GMRES "
+                                                        "with GASM (tail), CG with GAMG (mesh motion)"
+                                                      : "FGMRES, blocks by physics";
+      plan.solved.push_back({"linear systems", fmt::format("{}: {}", how, why)});
     }
   } // namespace
 
@@ -333,8 +336,10 @@ namespace swimtwin
       measure<2>(scene, communicator, plan);
     plan.estimated_time_s =
         scene.time.n_steps() * iterations_per_step * seconds_per_iteration(plan.n_unknowns, scene.dimension);
-    const bool iterative = scene.fluid && !is_partitioned(scene) &&
-                           iterates(scene.numerics.linear_solver, scene.dimension, plan.n_unknowns);
+    const bool iterative =
+        scene.fluid &&
+        (is_partitioned(scene) ? scene.numerics.linear_solver == LinearSolver::iterative
+                               : iterates(scene.numerics.linear_solver, scene.dimension, plan.n_unknowns));
     plan.estimated_memory_MB = memory_MB(plan.n_unknowns, scene.dimension, iterative);
     plan_solver(scene, iterative, plan);
     plan.is_extrapolated = plan.n_unknowns > n_unknowns_measured(scene.dimension);

@@ -50,6 +50,19 @@ namespace swimtwin
     EXPECT_GT(std::abs(one.trajectory.back().head_z_m), 1e-6 * body_length_m);
   }
 
+  // The reference study's solvers find the same motion as factors do.
+  TEST(FixedPointInSpace, IteratesAsItFactorises)
+  {
+    const auto scene = coarse_swimmer_in_space(0.025).with(
+        {"numerics.coupling=fixed-point", "numerics.acceleration=iqn-ils", "numerics.mesh_motion=weighted-harmonic"});
+    const Motion one = simulate(scene),
+                 two = simulate(scene.with({"numerics.linear_solver=iterative", "numerics.linear_tolerance=1e-10"}));
+    std::cout << one.summary.linear_iterations_mean.value() << " and " << two.summary.linear_iterations_mean.value()
+              << " iterations per solve" << std::endl;
+    EXPECT_LE(distance(one.trajectory, two.trajectory), 1e-7);
+    EXPECT_GT(two.summary.linear_iterations_mean.value(), 10.);
+  }
+
   TEST_P(FixedPoint, ResumesWhereItWasInterrupted)
   {
     const auto            scene = partitioned(coarse_swimmer(50, 0.4));

@@ -138,6 +138,28 @@ namespace swimtwin
     }
   }
 
+  TEST(LinearSystem, StandardIterationsSolveToTheirTolerance)
+  {
+    for (const auto standard : {StandardPreconditioner::multigrid, StandardPreconditioner::subdomains})
+      for (const bool reuse : {true, false})
+      {
+        LinearSolverOptions options;
+        options.tolerance           = 1e-11;
+        options.reuse_factorization = reuse;
+        options.method              = LinearSolver::iterative;
+        options.standard            = standard;
+        LinearSystem system(MPI_COMM_WORLD, options);
+        const Chain  chain(0.), nearby(1e-3);
+        system.set_pattern(0, n, chain.rows, chain.columns);
+        std::vector<double> solution(n, 0.);
+        ASSERT_TRUE(solve_for_wave(system, chain, solution));
+        EXPECT_LE(error(solution), 1e-11 * n * n);
+        ASSERT_TRUE(solve_for_wave(system, nearby, solution));
+        EXPECT_LE(error(solution), 1e-11 * n * n);
+        EXPECT_EQ(system.counts().n_factorizations, reuse ? 1 : 2); // set up so many times
+      }
+  }
+
   TEST(LinearSystem, OldFactorsServeANearbyMatrixToTheSameTolerance)
   {
     LinearSolverOptions options;

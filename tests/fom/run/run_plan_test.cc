@@ -37,6 +37,16 @@ namespace swimtwin
               "coupling = \"fixed-point\" does not use it");
   }
 
+  TEST(RunPlan, NamesTheSolversOfThePartitionedScheme)
+  {
+    const auto solvers = [](const std::vector<std::string> &settings) {
+      return why(channel_plan(settings).solved, "linear systems");
+    };
+    EXPECT_EQ(solvers({"numerics.coupling=fixed-point"}), "factors: [numerics] coupling = \"fixed-point\"");
+    expect_in(solvers({"numerics.coupling=fixed-point", "numerics.linear_solver=iterative"}),
+              "GMRES with GASM (tail), CG with GAMG (mesh motion): [numerics] linear_solver");
+  }
+
   TEST(RunPlan, WarnsOfInertiaThatTheStepsDoNotFollow)
   {
     const auto warnings = [](const std::string &viscosity, const std::string &steps) {
