@@ -95,22 +95,24 @@ namespace swimtwin
       double      displacement_m;
     };
 
-    /// Where a table has runs of several steps, those of the most steps.
-    std::vector<FullOrderRun> read_runs(const std::string &file, const double young_modulus_Pa)
+    /// Where a table has runs of several steps, those of the most steps. What it does not say is as in the scene, with
+    /// all of inertia.
+    std::vector<FullOrderRun> read_runs(const std::string &file, const Scene &scene)
     {
-      const CsvTable table = CsvTable::read(file);
-      const auto     mu = table.column("viscosity_Pa_s"), M = table.column("magnetization_A_m"),
-                 f = table.column("frequency_Hz"), d = table.column("displacement_m");
-      const auto terms = table.find_column("terms").value();
-      const auto E     = table.has_column("young_modulus_Pa") ? table.column("young_modulus_Pa")
-                                                              : std::vector(table.n_rows(), young_modulus_Pa);
-      const auto steps =
-          table.has_column("steps_per_period") ? table.column("steps_per_period") : std::vector(table.n_rows(), 0.);
-      const double              most = steps.empty() ? 0. : *std::max_element(steps.begin(), steps.end());
+      const CsvTable table     = CsvTable::read(file);
+      const auto     column_or = [&](const char *name, const double value) {
+        return table.has_column(name) ? table.column(name) : std::vector(table.n_rows(), value);
+      };
+      const auto M = table.column("magnetization_A_m"), f = table.column("frequency_Hz"),
+                 d = table.column("displacement_m"), mu = column_or("viscosity_Pa_s", scene.fluid->viscosity_Pa_s),
+                 E                    = column_or("young_modulus_Pa", scene.tail->young_modulus_Pa),
+                 steps                = column_or("steps_per_period", 0.);
+      const auto                terms = table.find_column("terms");
+      const double              most  = steps.empty() ? 0. : *std::max_element(steps.begin(), steps.end());
       std::vector<FullOrderRun> runs;
       for (std::size_t row = 0; row < table.n_rows(); ++row)
         if (steps[row] == most)
-          runs.push_back({E[row], mu[row], M[row], f[row], table.cells(row)[terms], d[row]});
+          runs.push_back({E[row], mu[row], M[row], f[row], terms ? table.cells(row)[*terms] : "full", d[row]});
       return runs;
     }
 
@@ -148,7 +150,7 @@ namespace swimtwin
       const Scene                                          scene = scene_of(model);
       std::map<std::pair<double, std::string>, Deviations> deviations; // by viscosity and terms
       fmt::print("E (kPa), viscosity (Pa s), M (kA/m), f (Hz), terms: full-order (um), reduced, off in %\n");
-      for (const FullOrderRun &run : read_runs(table, scene.tail->young_modulus_Pa))
+      for (const FullOrderRun &run : read_runs(table, scene))
       {
         const double reduced = displacement(model, scene, run), off = 100. * (reduced / run.displacement_m - 1.);
         deviations[{run.viscosity_Pa_s, run.terms}].add(off);
