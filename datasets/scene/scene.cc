@@ -75,7 +75,7 @@ namespace swimtwin
 
   double Scene::body_length_m() const
   {
-    if (head.surface)
+    if (head.surface && !tail)
       return std::max(head.size_m[0], head.size_m[1]);
     return head.size_m[0] + (tail ? tail->length_m : 0.);
   }

@@ -14,7 +14,8 @@
 
 namespace swimtwin
 {
-  struct ClosedSurface; // datasets/surface/closed_surface.h
+  struct ClosedSurface;
+  struct ElasticPart; // datasets/surface/closed_surface.h
   struct EnclosedVolume;
 
   enum class HeadShape { rectangle, disc, ellipse, surface };
@@ -151,7 +152,10 @@ namespace swimtwin
     TipShape                           tip     = TipShape::rounded;
     TailSection                        section = TailSection::circular; ///< in space
     double                             width_m = 0.; ///< along z, of a rectangular section; heights are along y
-    MaterialModel                      law     = MaterialModel::st_venant_kirchhoff;
+    /// Of a body that is read from a surface: which of it is the tail. The three lengths above are then those of a cone
+    /// as long, with the same diameter at its root and as much volume.
+    std::shared_ptr<const ElasticPart> part;
+    MaterialModel                      law              = MaterialModel::st_venant_kirchhoff;
     double                             young_modulus_Pa = 0., poisson_ratio = 0., density_kg_m3 = 0.;
     double   magnetization_A_m = 0.; ///< along the tail's +x in the reference configuration; energy -int B . (F M)
     TailWave wave;                   ///< of a prescribed shape

@@ -219,7 +219,7 @@ namespace swimtwin
     }
 
     /// Straight sides, or points that they go through; from these follow the three lengths of straight ones.
-    void read_tail_shape(TomlTable &table, Tail &tail)
+    void read_tail_shape(TomlTable &table, const bool is_in_surface, Tail &tail)
     {
       read_choice(table, "section", tail.section);
       table.number("width_m", optional("m"), tail.width_m);
@@ -227,7 +227,7 @@ namespace swimtwin
         tail.tip = TipShape::flat;
       read_choice(table, "tip", tail.tip);
       table.pairs("profile_m", optional("m", not_negative), tail.profile_m);
-      const Need lengths = table.has("profile_m") ? Need::optional : Need::required;
+      const Need lengths = is_in_surface || table.has("profile_m") ? Need::optional : Need::required;
       table.number("length_m", {"m", positive, lengths}, tail.length_m);
       table.number("root_height_m", {"m", positive, lengths}, tail.root_height_m);
       table.number("tip_height_m", {"m", positive, lengths}, tail.tip_height_m);
@@ -239,11 +239,11 @@ namespace swimtwin
       tail.length_m                      = end + (tail.tip == TipShape::rounded ? end_half_height : 0.);
     }
 
-    std::optional<Tail> read_tail(const TomlDocument &document)
+    std::optional<Tail> read_tail(const TomlDocument &document, const Head &head)
     {
       TomlTable table(document, "tail");
       Tail      tail;
-      read_tail_shape(table, tail);
+      read_tail_shape(table, head.shape == HeadShape::surface, tail);
       read_choice(table, "law", tail.law);
       const Need moduli = tail.is_elastic() ? Need::required : Need::optional;
       table.number("young_modulus_Pa", {"Pa", positive, moduli}, tail.young_modulus_Pa);
@@ -464,7 +464,7 @@ namespace swimtwin
     scene.fluid  = read_fluid(document);
     scene.domain = read_domain(document, scene.dimension);
     scene.head   = read_head(document, scene.dimension);
-    scene.tail   = read_tail(document);
+    scene.tail   = read_tail(document, scene.head);
     check_shape_entries(document, scene);
     check_motion_entries(document, scene);
     read_surfaces(document, std::filesystem::path(name).parent_path(), scene);

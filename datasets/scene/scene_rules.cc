@@ -55,17 +55,24 @@ namespace swimtwin
                      fmt::format("does not belong to the shape {}; remove it, or set shape = \"surface\".", shape));
     }
 
-    /// The triangles of a body that is read from a surface are the mesh there, and nothing is joined to it.
+    /// A tail is the part of the surface that is named so.
+    void check_surface_tail(const TomlDocument &document, const Tail &tail)
+    {
+      for (const char *key : {"length_m", "root_height_m", "tip_height_m", "profile_m", "section", "width_m", "tip"})
+        refuse_entry(document, "tail", key,
+                     "does not belong to a tail that is part of the head's surface, which has its shape; remove it.");
+      if (tail.is_driven())
+        document.refuse("tail", "law",
+                        "cannot be \"prescribed\" of a tail that is part of the head's surface; use an elastic law, or "
+                        "a head and a tail that are known by their shapes.");
+    }
+
+    /// The triangles of a body that is read from a surface are the mesh there.
     void check_surface_head(const TomlDocument &document)
     {
       const std::string not_needed = "does not belong to the shape surface, which has its size; remove it.";
       for (const char *key : {"size_m", "diameter_m"})
         refuse_entry(document, "head", key, not_needed);
-      if (document.find("tail") != nullptr)
-        document.refuse(
-            "tail", "",
-            "does not go with a head that is read from a surface, which has no place to clamp it; remove it, "
-            "or give the head another shape.");
       for (const char *key : {"mesh_size_m", "mesh_size_corner_m"})
         refuse_entry(
             document, "numerics", key,
@@ -333,7 +340,9 @@ namespace swimtwin
   void check_shape_entries(const TomlDocument &document, const Scene &scene)
   {
     check_head_entries(document, scene.head, scene.dimension);
-    if (scene.tail)
+    if (scene.tail && scene.head.shape == HeadShape::surface)
+      check_surface_tail(document, *scene.tail);
+    else if (scene.tail)
       check_tail_entries(document, scene);
     if (scene.domain)
       check_domain_entries(document, *scene.domain);
@@ -416,7 +425,7 @@ namespace swimtwin
     check_steady(document, scene);
     check_given_motion(document, scene);
     check_space(document, scene);
-    if (scene.tail)
+    if (scene.tail && !scene.tail->part)
       check_tail(document, scene);
     if (scene.domain)
     {

@@ -1,5 +1,6 @@
 #include <datasets/scene/scene_surfaces.h>
 
+#include <datasets/surface/elastic_part.h>
 #include <datasets/surface/surface_distance.h>
 #include <datasets/surface/surface_reader.h>
 
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace swimtwin
 {
@@ -41,13 +43,37 @@ namespace swimtwin
         x += by;
     }
 
-    void read_head_surface(TomlDocument &document, const std::filesystem::path &folder, Head &head)
+    void set_lengths(Tail &tail, const ClosedSurface &body, const ElasticPart &part)
     {
-      ClosedSurface  surface  = read_surface_of(document, "head", folder, SurfaceUse::body);
-      EnclosedVolume enclosed = enclosed_volume(surface);
+      std::vector<Vector3d> rim;
+      for (const auto node : part.rim)
+        rim.push_back(body.nodes[node]);
+      const ClosedSurface closed = closed_part(body, part, true);
+      const Extent        root   = extent(rim);
+      tail.length_m              = extent(closed.nodes).high[0] - root.high[0];
+      tail.root_height_m         = std::max(root.size()[1], root.size()[2]);
+      // pi L (a^2 + a b + b^2) / 12 of a cone with the diameters a and b.
+      const double a      = tail.root_height_m,
+                   square = 12. * enclosed_volume(closed).volume_m3 / (std::numbers::pi * tail.length_m) - .75 * a * a;
+      tail.tip_height_m   = std::max(.05 * a, std::sqrt(std::max(square, 0.)) - .5 * a);
+    }
+
+    /// A tail is the part of the body's surface that is named so.
+    void read_body_surface(TomlDocument &document, const std::filesystem::path &folder, Scene &scene)
+    {
+      Head         &head    = scene.head;
+      ClosedSurface surface = read_surface_of(document, "head", folder, SurfaceUse::body), rigid = surface;
+      if (scene.tail)
+      {
+        const ElasticPart part = elastic_part(surface, "tail");
+        set_lengths(*scene.tail, surface, part);
+        scene.tail->part = std::make_shared<const ElasticPart>(part);
+        rigid            = closed_part(surface, part, false);
+      }
+      EnclosedVolume enclosed = enclosed_volume(rigid);
       shift(surface, -enclosed.center_m);
       enclosed.center_m   = Vector3d::Zero();
-      const Vector3d size = extent(surface.nodes).size();
+      const Vector3d size = extent(rigid.nodes).size();
       head.size_m         = {size[0], std::max(size[1], size[2])};
       head.enclosed       = std::make_shared<const EnclosedVolume>(enclosed);
       head.surface        = std::make_shared<const ClosedSurface>(std::move(surface));
@@ -85,7 +111,7 @@ namespace swimtwin
   void read_surfaces(TomlDocument &document, const std::filesystem::path &folder, Scene &scene)
   {
     if (scene.head.shape == HeadShape::surface)
-      read_head_surface(document, folder, scene.head);
+      read_body_surface(document, folder, scene);
     if (scene.domain && scene.domain->shape == DomainShape::surface)
       read_walls_surface(document, folder, *scene.domain);
   }
@@ -94,7 +120,7 @@ namespace swimtwin
   {
     std::string reason;
     if (scene.head.surface)
-      reason = asymmetry(*scene.head.surface, "the head's");
+      reason = asymmetry(*scene.head.surface, scene.tail ? "the body's" : "the head's");
     if (reason.empty() && scene.domain && scene.domain->surface)
       reason = asymmetry(*scene.domain->surface, "the walls'");
     return reason;

@@ -2,7 +2,10 @@
 
 #include <datasets/scene/inertia_terms.h>
 #include <datasets/scene/mirror_plane.h>
+#include <datasets/surface/closed_surface.h>
 #include <fom/body/finer_mesh.h>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -70,6 +73,10 @@ namespace swimtwin
     }
     catch (const ComputationError &error)
     {
+      if (scene.head.surface)
+        throw InputError(fmt::format("{}: the tail cannot be meshed with the triangles of {} ({}); mesh the surface "
+                                     "anew, finer where it is thin or curved, and without slivers",
+                                     scene.name, scene.head.surface->file.string(), error.what()));
       refuse_mesh_size(scene, error, [&](const Scene &finer) {
         make_body_mesh<dim>(finer, communicator);
         return true;
@@ -319,16 +326,18 @@ namespace swimtwin
     if (!has_tail())
       return configuration.pose.heading();
     const auto &[before, middle, tip] = tail().axis_at_tip;
-    const auto position = [&](const unsigned int node) { return tail().mesh.nodes[node] + configuration.shape[node]; };
     // Derivative at its end of the quadratic through the last edge of the axis, relative to the head.
-    const Tensor<1, dim> tangent =
-        3. * position(tip) - 4. * Tensor<1, dim>(position(middle)) + Tensor<1, dim>(position(before));
+    const auto slope = [&, b = before, m = middle, t = tip](const auto &field) {
+      return 3. * Tensor<1, dim>(field[t]) - 4. * Tensor<1, dim>(field[m]) + Tensor<1, dim>(field[b]);
+    };
+    const Tensor<1, dim> at_rest = slope(tail().mesh.nodes), tangent = at_rest + slope(configuration.shape);
+    const double         rest = std::atan2(at_rest[1], at_rest[0]); // 0 but of tails that are read from a surface
     if constexpr (dim == 3)
     {
       const Tensor<1, dim> direction = configuration.pose.rotation() * tangent;
-      return std::atan2(direction[1], direction[0]);
+      return std::atan2(direction[1], direction[0]) - rest;
     }
-    return configuration.pose.heading() + std::atan2(tangent[1], tangent[0]);
+    return configuration.pose.heading() + std::atan2(tangent[1], tangent[0]) - rest;
   }
 
   template MagneticTorque<2> magnetic_torque<2>(double, const Tensor<1, 2> &, const Attitude<2> &,

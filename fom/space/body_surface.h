@@ -10,7 +10,7 @@
 namespace swimtwin
 {
   /// Patches of a tail: below the first its root, from the second on the plane z = 0.
-  inline constexpr int first_side_patch = 100, plane_patch_number = 1000;
+  inline constexpr int root_patch = 0, first_side_patch = 100, plane_patch_number = 1000;
 
   /// Half of a tail's closed surface: root, side, and the plane above and below its axis.
   struct TailSurface
@@ -32,8 +32,9 @@ namespace swimtwin
   /// A film behind a cylinder. Collective.
   BodySurface film_body(const Scene &scene, MPI_Comm communicator);
 
-  /// A rigid body whose surface is that, in the head's frame; no mirror image is known of it.
-  BodyMesh<3> body_of_surface(const ClosedSurface &surface);
+  /// A body whose surface is that of the scene's head, in the head's frame, with the tail that is part of it; no mirror
+  /// image is known of it. Collective.
+  BodyMesh<3> body_of_surface(const Scene &scene, MPI_Comm communicator);
 
   /// From the faces: which nodes are vertices, and the mean length of the edges there.
   void set_vertices_and_sizes(BodyMesh<3> &body);

@@ -13,7 +13,7 @@ namespace swimtwin
   {
     using Curve = std::vector<Point<3>>; ///< quadratic: vertex, middle, vertex, ...
 
-    constexpr int root_patch = 0, back_of_head_patch = 2; // of tail and head
+    constexpr int back_of_head_patch = 2;
 
     Curve divided_edge(const Point<3> &from, const Point<3> &to, const SpatialSizeField &size)
     {

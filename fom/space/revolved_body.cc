@@ -37,7 +37,7 @@ namespace swimtwin
     {
       Meridian root{curves.root, curves.size}, side{curves.side, curves.size};
       root.pieces.back()        = ending_at(root.pieces.back(), curves.root_end);
-      MeridianTrace       trace = add_revolved(tail.surface, root, 0., 0, communicator);
+      MeridianTrace       trace = add_revolved(tail.surface, root, 0., root_patch, communicator);
       const MeridianTrace sides = add_revolved(tail.surface, side, 0., first_side_patch, communicator);
       append(trace.above, sides.above);
       append(trace.below, sides.below);

@@ -231,7 +231,7 @@ namespace swimtwin
   BodyMesh<3> make_body_mesh<3>(const Scene &scene, const MPI_Comm communicator)
   {
     if (scene.head.surface)
-      return body_of_surface(*scene.head.surface);
+      return body_of_surface(scene, communicator);
     const bool        is_film = scene.tail && scene.tail->section == TailSection::rectangular;
     const BodySurface surface = is_film ? film_body(scene, communicator) : revolved_body(scene, communicator);
     BodyMesh<3>       body;

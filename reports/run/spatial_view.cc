@@ -1,6 +1,6 @@
 #include <reports/run/spatial_view.h>
 
-#include <datasets/surface/closed_surface.h>
+#include <datasets/surface/elastic_part.h>
 #include <reports/page/shown_units.h>
 #include <reports/run/run_scripts.h>
 #include <reports/run/shown_instants.h>
@@ -112,15 +112,17 @@ namespace swimtwin
       return points;
     }
 
-    std::vector<Polygon> head_surface(const Head &head, const PoseInSpace &pose)
+    std::vector<Polygon> head_surface(const Scene &scene, const PoseInSpace &pose)
     {
       constexpr int        n_angles = 36;
       std::vector<Polygon> surface;
+      const Head          &head = scene.head;
       if (head.surface)
       {
-        for (const auto &face : head.surface->faces)
-          surface.push_back({placed(head.surface->nodes[face[0]], pose), placed(head.surface->nodes[face[1]], pose),
-                             placed(head.surface->nodes[face[2]], pose)});
+        for (std::size_t f = 0; f < head.surface->faces.size(); ++f)
+          if (const auto &face = head.surface->faces[f]; !scene.tail || !scene.tail->part->has_face[f])
+            surface.push_back({placed(head.surface->nodes[face[0]], pose), placed(head.surface->nodes[face[1]], pose),
+                               placed(head.surface->nodes[face[2]], pose)});
         return surface;
       }
       const auto points = meridian(head);
@@ -149,7 +151,7 @@ namespace swimtwin
           const auto        row  = static_cast<Eigen::Index>(i);
           const PoseInSpace pose = head_pose(set, row);
           views.push_back(
-              {shown_time(run, set.time_s[i]), tail_surface(set, row, pose), head_surface(run.scene.head, pose)});
+              {shown_time(run, set.time_s[i]), tail_surface(set, row, pose), head_surface(run.scene, pose)});
         }
         return views;
       }
@@ -157,7 +159,7 @@ namespace swimtwin
                                                   [&](const std::size_t k) { return run.trajectory[k].time_s; }))
       {
         const TrajectoryRow &row = run.trajectory[i];
-        views.push_back({shown_time(run, row.time_s), {}, head_surface(run.scene.head, head_pose(row))});
+        views.push_back({shown_time(run, row.time_s), {}, head_surface(run.scene, head_pose(row))});
       }
       return views;
     }

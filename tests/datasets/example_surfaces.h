@@ -1,6 +1,7 @@
 // Closed surfaces, and the files that hold them, for tests.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -128,6 +129,20 @@ namespace swimtwin
     return sphere;
   }
 
+  /// The triangles whose middle is to be in the tail come last; returns the number of the others.
+  template <typename IsTail>
+  std::size_t sort_tail_last(ExampleSurface &surface, const IsTail &is_tail)
+  {
+    const auto first = std::stable_partition(surface.faces.begin(), surface.faces.end(), [&](const auto &face) {
+      std::array<double, 3> middle{};
+      for (int v = 0; v < 3; ++v)
+        for (int c = 0; c < 3; ++c)
+          middle[c] += surface.points[face[v]][c] / 3.;
+      return !is_tail(middle);
+    });
+    return static_cast<std::size_t>(first - surface.faces.begin());
+  }
+
   inline std::string stl_text(const ExampleSurface &surface)
   {
     std::ostringstream text;
@@ -190,13 +205,16 @@ namespace swimtwin
     return text.str();
   }
 
-  /// Format 4.1; the triangles up to before `first_open` belong to the physical surface "sides", the others to "open".
-  inline std::string msh41_text(const ExampleSurface &surface, const std::size_t first_open)
+  /// Format 4.1; the triangles up to before `first_open` belong to the first physical surface, the others to the
+  /// second.
+  inline std::string msh41_text(const ExampleSurface &surface, const std::size_t first_open,
+                                const std::array<std::string, 2> &names = {"sides", "open"})
   {
     std::ostringstream text;
     text.precision(17);
     const std::size_t n = surface.faces.size();
-    text << "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n2\n2 7 \"sides\"\n2 8 \"open\"\n$EndPhysicalNames\n"
+    text << "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n2\n2 7 \"" << names[0] << "\"\n2 8 \"" << names[1]
+         << "\"\n$EndPhysicalNames\n"
          << "$Entities\n1 0 2 0\n1 0 0 0 0\n1 -1 -1 -1 1 1 1 1 7 0\n2 -1 -1 -1 1 1 1 1 8 0\n$EndEntities\n"
          << "$Nodes\n1 " << surface.points.size() << " 1 " << surface.points.size() << "\n2 1 0 "
          << surface.points.size() << '\n';

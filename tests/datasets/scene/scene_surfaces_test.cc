@@ -46,6 +46,8 @@ duration_s = 1.0
 steps = 2
 )";
 
+    const std::string tail_toml = "[tail]\nlaw = \"rigid\"\ndensity_kg_m3 = 1000.0\n";
+
     class SceneSurfaces : public testing::Test
     {
     protected:
@@ -107,14 +109,35 @@ steps = 2
     expect_refused(before.text, {}, "[head] surface = \"body.stl\" has changed since this scene was written");
   }
 
+  // A box of 4 x 1 x 2 mm whose last millimetre is elastic.
+  TEST_F(SceneSurfaces, TailIsThePartOfTheSurfaceThatIsNamedSo)
+  {
+    ExampleSurface    box   = example_box({4., 1., 2.}, 4).moved({7., 8., 9.});
+    const std::size_t first = sort_tail_last(box, [](const std::array<double, 3> &x) { return x[0] > 8.; });
+    folder_.write("body.msh", msh41_text(box, first, {"head", "tail"}));
+    const Scene scene = parse(body_toml + tail_toml, {"head.surface=body.msh"});
+    ASSERT_TRUE(scene.tail && scene.tail->part);
+    EXPECT_NEAR(scene.head.volume(3), 6e-9, 1e-20);
+    EXPECT_NEAR(scene.head.size_m[0], 3e-3, 1e-15);
+    EXPECT_NEAR(scene.tail->length_m, 1e-3, 1e-15);
+    EXPECT_NEAR(scene.tail->root_height_m, 2e-3, 1e-15);
+    EXPECT_NEAR(scene.body_length_m(), 4e-3, 1e-15);
+    const Extent whole = extent(scene.head.surface->nodes);
+    EXPECT_NEAR(whole.low[0], -1.5e-3, 1e-15); // the head's own centre is the origin
+    EXPECT_NEAR(whole.high[0], 2.5e-3, 1e-15);
+    EXPECT_EQ(parse(scene.text).hash, scene.hash);
+  }
+
   TEST_F(SceneSurfaces, EntriesGoWithTheShape)
   {
     expect_refused(body_toml, {"head.shape=sphere", "head.diameter_m=1e-3"}, "surface = \"body.stl\" does not belong");
     expect_refused(body_toml, {"head.size_m=[1e-3, 1e-3]"}, "does not belong to the shape surface, which has its size");
     expect_refused(body_toml, {"numerics.mesh_size_m=1e-4"}, "whose triangles are the mesh there");
-    expect_refused(body_toml + "[tail]\nlength_m = 1e-3\nroot_height_m = 1e-4\ntip_height_m = 1e-4\n"
-                               "law = \"rigid\"\ndensity_kg_m3 = 1000.0\n",
-                   {}, "does not go with a head that is read from a surface");
+    expect_refused(body_toml + tail_toml, {"tail.length_m=1e-3"},
+                   "does not belong to a tail that is part of the head's");
+    expect_refused(body_toml + tail_toml, {"tail.law=prescribed", "tail.wave={angle_rad=0.1, frequency_Hz=1.0}"},
+                   "cannot be \"prescribed\" of a tail that is part of the head's surface");
+    expect_refused(body_toml + tail_toml, {}, "body.stl: it has no physical surface named \"tail\"");
     expect_refused(walls_toml, {"domain.radius_m=1.0"}, "radius_m = 1 does not belong to the shape surface");
     expect_refused(walls_toml, {"numerics.symmetric_half=on"}, "the walls are read from a surface");
     std::string text = body_toml;
