@@ -17,7 +17,7 @@ namespace swimtwin
       const ModelError      error = model_error(reference_model().record, 0.01, setting.data, Eigen::VectorXd::Ones(4));
       const Misfit          misfit(setting.data, setting.map, error, RobustLoss(kind));
       ExactDisplacements    exact(reference_swimmer(), setting.data.conditions,
-                                  {.relative_tolerance = 1e-11, .n_threads = 2});
+                                  {.relative_tolerance = 1e-12, .n_threads = 2});
       const Eigen::VectorXd at       = somewhere(setting.map, error.n_components());
       const MisfitRows      rows     = misfit.rows(exact, at, true);
       const Eigen::VectorXd gradient = rows.by_unknowns.transpose() * rows.rows;

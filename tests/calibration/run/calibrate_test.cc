@@ -239,7 +239,9 @@ namespace swimtwin
     EXPECT_NEAR(with.parameters[0].value, E / mu, 0.01 * E / mu);
     EXPECT_NEAR(with.parameters[1].value, M / mu, 0.005 * M / mu);
     EXPECT_GT(std::abs(without.parameters[0].value - E / mu), 0.03 * E / mu);
-    EXPECT_LT(with.chi_squared, 0.1 * without.chi_squared);
+    // The points themselves are known to 0.2 to 0.6 % (docs/study.md), which makes up to 3.6 of ten rows at 1 %.
+    EXPECT_LT(with.chi_squared, 3.6);
+    EXPECT_LT(with.chi_squared, without.chi_squared);
   }
 
   TEST(CalibrateWithInertia, RefusesToScaleTheLengths)
