@@ -153,8 +153,15 @@ namespace swimtwin
 
   bool moves_in_plane(const Scene &scene)
   {
-    return scene.dimension == 3 && (solves_half(scene) || (scene.has_surfaces() && way_out_of_plane(scene).empty() &&
-                                                           what_leaves_plane(scene).empty()));
+    return scene.dimension == 3 && (solves_half(scene) || (scene.has_surfaces() && way_out_of_plane(scene).empty()));
+  }
+
+  std::string way_out_of_plane(const Scene &scene)
+  {
+    if (scene.dimension != 3)
+      return {};
+    const std::string load = what_leaves_plane(scene);
+    return load.empty() ? asymmetric_surface(scene) : load;
   }
 
   std::string symmetry_warning(const Scene &scene)

@@ -27,6 +27,9 @@ namespace swimtwin
   /// half is solved, and where what is read from surfaces is its own mirror image there, though its meshes are not.
   bool moves_in_plane(const Scene &scene);
 
+  /// In space: what pushes or turns a free body out of the plane z = 0, a clause; empty where nothing does.
+  std::string way_out_of_plane(const Scene &scene);
+
   /// A sentence for a run that solves half of a scene whose symmetric motion may be unstable; empty for others.
   std::string symmetry_warning(const Scene &scene);
 } // namespace swimtwin

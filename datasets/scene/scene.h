@@ -247,8 +247,8 @@ namespace swimtwin
     std::string text;
     std::string hash; ///< SHA-256 (or an equivalent digest) of `text`, hexadecimal
 
-    /// Length (m) of head and tail at rest along x: the body length of every tolerance. Of a body that is read from a
-    /// surface the largest extent.
+    /// Length (m) of head and tail at rest along x: the body length of every tolerance. Of a rigid body that is read
+    /// from a surface the largest extent.
     double body_length_m() const;
     /// Whether the body, or walls, are read from a surface: nothing is then known to be its own mirror image.
     bool has_surfaces() const { return head.surface || (domain && domain->surface); }

@@ -116,11 +116,13 @@ namespace swimtwin
       read_walls_surface(document, folder, *scene.domain);
   }
 
-  std::string way_out_of_plane(const Scene &scene)
+  std::string asymmetric_surface(const Scene &scene)
   {
     std::string reason;
     if (scene.head.surface)
       reason = asymmetry(*scene.head.surface, scene.tail ? "the body's" : "the head's");
+    if (reason.empty() && scene.tail && scene.tail->part)
+      reason = asymmetry(closed_part(*scene.head.surface, *scene.tail->part, true), "the tail's");
     if (reason.empty() && scene.domain && scene.domain->surface)
       reason = asymmetry(*scene.domain->surface, "the walls'");
     return reason;

@@ -13,9 +13,8 @@ namespace swimtwin
   /// paths are relative to `folder`. Throws InputError.
   void read_surfaces(TomlDocument &document, const std::filesystem::path &folder, Scene &scene);
 
-  /// What would drive a free head out of the plane z = 0: a clause, empty if the surfaces are their own mirror images
-  /// there but for 1 % of their extent.
-  std::string way_out_of_plane(const Scene &scene);
+  /// A clause, empty if the scene's surfaces are their own mirror images at z = 0 but for 1 % of their extent.
+  std::string asymmetric_surface(const Scene &scene);
 
   /// The nodes of the head's surface where it starts, in the laboratory (m).
   ClosedSurface surface_at_start(const Head &head);

@@ -81,6 +81,32 @@ namespace swimtwin
       return loop;
     }
 
+    /// What hangs together with the rim by the edges of elastic faces.
+    void require_one_piece(const ClosedSurface &body, const ElasticPart &part, const std::string &patch)
+    {
+      std::vector<char> is_reached(body.nodes.size(), 0);
+      for (const auto node : part.rim)
+        is_reached[node] = 1;
+      const auto any = [&](const SurfaceFace &face, const char value) {
+        return std::any_of(face.begin(), face.begin() + 3,
+                           [&](const unsigned int v) { return is_reached[v] == value; });
+      };
+      for (bool grows = true; grows;)
+      {
+        grows = false;
+        for (std::size_t f = 0; f < body.faces.size(); ++f)
+          if (const auto &face = body.faces[f]; part.has_face[f] && any(face, 1) && any(face, 0))
+          {
+            grows = true;
+            for (int v = 0; v < 3; ++v)
+              is_reached[face[v]] = 1;
+          }
+      }
+      for (std::size_t f = 0; f < body.faces.size(); ++f)
+        if (part.has_face[f] && any(body.faces[f], 0))
+          refuse(body, fmt::format("\"{}\" has a piece of its own, which nothing holds; join it to the head", patch));
+    }
+
     Vector3d mean_of(const ClosedSurface &body, const std::vector<unsigned int> &nodes)
     {
       Vector3d mean = Vector3d::Zero();
@@ -114,6 +140,7 @@ namespace swimtwin
     ElasticPart part;
     part.has_face = faces_of_patch(body, patch);
     part.rim      = loop_along(body, edges_between(body, part.has_face), patch);
+    require_one_piece(body, part, patch);
     require_plane_across_x(body, part, patch);
     return part;
   }

@@ -12,7 +12,7 @@ namespace swimtwin
 {
   namespace
   {
-    constexpr int most_iterations = 150, gmres_restart = 60;
+    constexpr int most_block_iterations = 150, most_standard_iterations = 1000, gmres_restart = 60;
 
     bool is_finite(const std::vector<double> &values)
     {
@@ -140,7 +140,7 @@ namespace swimtwin
     check_petsc(VecDuplicate(rhs_, &masses_), "made vectors");
     check_petsc(KSPCreate(communicator_, &block_ksp_), "made a solver");
     check_petsc(KSPSetOperators(block_ksp_, matrix_, matrix_), "made a solver");
-    set_up_iteration(block_ksp_, KSPFGMRES, most_iterations);
+    set_up_iteration(block_ksp_, KSPFGMRES, most_block_iterations);
     use_shell(block_ksp_, blocks_.get(), [](PC shell, Vec x, Vec y) -> PetscErrorCode {
       void *blocks;
       PCShellGetContext(shell, &blocks);
@@ -205,13 +205,16 @@ namespace swimtwin
     const ScopedCpuTime time(counts_.solve_cpu_s);
     const KSP           ksp = standard_ ? standard_->solver() : block_ksp_;
     set_guess(guess);
-    check_petsc(KSPSetTolerances(ksp, tolerance_, 1e-300, 1e10, most_iterations), "set up a solver");
+    check_petsc(
+        KSPSetTolerances(ksp, tolerance_, 1e-300, 1e10, standard_ ? most_standard_iterations : most_block_iterations),
+        "set up a solver");
     return iterate(ksp);
   }
 
   bool LinearSystem::solve_by_iterations(const std::vector<double> &guess)
   {
-    const bool serves = has_factors_ && (!factors_are_old_ || (options_.reuse_factorization && !kept_.are_worn()));
+    const bool may_be_old = blocks_ || options_.reuse_factorization;
+    const bool serves     = has_factors_ && (!factors_are_old_ || (may_be_old && !kept_.are_worn()));
     return (serves && iterate_from(guess)) || (set_up_preconditioner() && iterate_from(guess));
   }
 

@@ -36,6 +36,7 @@ namespace swimtwin
     if (!is_multigrid)
     {
       check_petsc(KSPSetPCSide(ksp_, PC_RIGHT), "made a solver");
+      check_petsc(KSPGMRESSetRestart(ksp_, 300), "made a solver"); // few subdomains, but a slender body
       check_petsc(PCGASMSetOverlap(pc, 1), "made a solver");
       choose_factors_of_subdomains(ksp_);
       check_petsc(PCSetFromOptions(pc), "made a solver");
@@ -56,6 +57,9 @@ namespace swimtwin
     check_petsc(KSPSetUpOnBlocks(ksp_), "set up a solver");
     check_petsc(KSPGetPC(ksp_, &pc), "set up a solver");
     check_petsc(PCGetFailedReason(pc, &failure), "set up a solver");
-    return failure == PC_NOERROR;
+    int someone_failed = failure != PC_NOERROR; // each rank knows of its own subdomain
+    MPI_Allreduce(MPI_IN_PLACE, &someone_failed, 1, MPI_INT, MPI_MAX,
+                  PetscObjectComm(reinterpret_cast<PetscObject>(ksp_)));
+    return someone_failed == 0;
   }
 } // namespace swimtwin

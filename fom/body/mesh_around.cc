@@ -68,11 +68,13 @@ namespace swimtwin
     }
 
     /// Of a body in motion, whose surface is meshed already.
-    [[noreturn]] void say_remedy(const ComputationError &error, const Numerics &numerics)
+    [[noreturn]] void say_remedy(const ComputationError &error, const Scene &scene)
     {
       if (dynamic_cast<const InvertedElement *>(&error) == nullptr)
         throw ComputationError(error);
-      throw InvertedElement(fmt::format("{}; lower [numerics] mesh_size_m = {} m", error.what(), numerics.mesh_size_m));
+      throw InvertedElement(scene.head.surface ? fmt::format("{}; mesh the surface anew, finer", error.what())
+                                               : fmt::format("{}; lower [numerics] mesh_size_m = {} m", error.what(),
+                                                             scene.numerics.mesh_size_m));
     }
 
     [[noreturn]] void refuse_surfaces(const Scene &scene, const ComputationError &error)
@@ -98,7 +100,7 @@ namespace swimtwin
       catch (const ComputationError &error)
       {
         if (!is_at_rest(swimmer, configuration))
-          say_remedy(error, swimmer.scene().numerics);
+          say_remedy(error, swimmer.scene());
         if (swimmer.scene().has_surfaces())
           refuse_surfaces(swimmer.scene(), error);
         refuse_mesh_size(swimmer.scene(), error, [&](const Scene &finer) {

@@ -24,6 +24,13 @@ namespace swimtwin
       other -= (other * direction) * direction;
       return other / other.norm();
     }
+
+    /// A vector turned as another one has to be turned, by the shortest way, to lie along +x.
+    Tensor<1, 3> turned_with(const Tensor<1, 3> &vector, const Tensor<1, 3> &other)
+    {
+      const Tensor<1, 3> from = other / other.norm(), axis = cross_product_3d(from, Tensor<1, 3>({1., 0., 0.}));
+      return from[0] * vector + cross_product_3d(axis, vector) + axis * (axis * vector) / (1. + from[0]);
+    }
   } // namespace
 
   template <int dim>
@@ -331,13 +338,12 @@ namespace swimtwin
       return 3. * Tensor<1, dim>(field[t]) - 4. * Tensor<1, dim>(field[m]) + Tensor<1, dim>(field[b]);
     };
     const Tensor<1, dim> at_rest = slope(tail().mesh.nodes), tangent = at_rest + slope(configuration.shape);
-    const double         rest = std::atan2(at_rest[1], at_rest[0]); // 0 but of tails that are read from a surface
     if constexpr (dim == 3)
     {
-      const Tensor<1, dim> direction = configuration.pose.rotation() * tangent;
-      return std::atan2(direction[1], direction[0]) - rest;
+      const Tensor<1, dim> direction = configuration.pose.rotation() * turned_with(tangent, at_rest);
+      return std::atan2(direction[1], direction[0]);
     }
-    return configuration.pose.heading() + std::atan2(tangent[1], tangent[0]) - rest;
+    return configuration.pose.heading() + std::atan2(tangent[1], tangent[0]);
   }
 
   template MagneticTorque<2> magnetic_torque<2>(double, const Tensor<1, 2> &, const Attitude<2> &,

@@ -30,13 +30,21 @@ namespace swimtwin
     return "unknown";
   }
 
+  namespace
+  {
+    std::string finer_mesh(const Scene &scene)
+    {
+      return scene.head.surface ? "mesh the body's surface finer" : "refine [numerics] mesh_size_m";
+    }
+  } // namespace
+
   std::string remedy(const StepOutcome outcome, const Scene &scene)
   {
     switch (outcome)
     {
     case StepOutcome::mesh_inverted:
-      return "refine [numerics] mesh_size_m or raise [time] steps_per_period; if the body comes close to a wall or to "
-             "itself, contact is not modelled";
+      return finer_mesh(scene) + " or raise [time] steps_per_period; if the body comes close to a wall or to itself, "
+                                 "contact is not modelled";
     case StepOutcome::tail_inverted:
     case StepOutcome::tail_equilibrium_failed:
       if (scene.tail->is_driven())
@@ -57,7 +65,7 @@ namespace swimtwin
                   ? "; swimtwin plan says whether cells and steps are small enough for the flow's speed"
                   : "");
     default:
-      return "refine [numerics] mesh_size_m, or check that the scene's values are what you meant";
+      return finer_mesh(scene) + ", or check that the scene's values are what you meant";
     }
   }
 

@@ -1,5 +1,6 @@
 #include <fom/coupling/fixed_point_coupling.h>
 
+#include <datasets/scene/mirror_plane.h>
 #include <fom/elastic/nodal_vector.h>
 
 #include <fom/algebra/cpu_time.h>
@@ -45,7 +46,7 @@ namespace swimtwin
   {
     fluid_ = fluid;
     flow_  = std::make_unique<FluidRigidSystem<dim>>(swimmer_, *fluid, flow_solver_, swimmer_.scene().head.is_free(),
-                                                    communicator_);
+                                                    communicator_, moves_in_plane(swimmer_.scene()));
     unknowns_.clear();
     unknowns_before_.clear();
     fluid_values_.clear();

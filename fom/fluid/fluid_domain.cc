@@ -13,9 +13,10 @@ namespace swimtwin
   namespace
   {
     /// One mesh needs one matrix, whose factors serve all its positions; the partitioned scheme may iterate.
-    LinearSolver solver_of_mesh_motion(const Numerics &numerics)
+    LinearSolver solver_of_mesh_motion(const Scene &scene)
     {
-      return numerics.coupling == CouplingScheme::fixed_point && numerics.linear_solver == LinearSolver::iterative
+      return scene.numerics.coupling == CouplingScheme::fixed_point && scene.tail && scene.tail->is_elastic() &&
+                     scene.numerics.linear_solver == LinearSolver::iterative
                  ? LinearSolver::iterative
                  : LinearSolver::direct;
     }
@@ -95,7 +96,7 @@ namespace swimtwin
           still.push_back(wall_node.node);
         extension_ = std::make_unique<MeshExtension<dim>>(mesh(), numbering_, scene_.numerics.mesh_motion,
                                                           fluid_mesh_.surface_nodes, still, mirror_pairs_,
-                                                          solver_of_mesh_motion(scene_.numerics));
+                                                          solver_of_mesh_motion(scene_));
       }
       const auto extended = extension_->extend(displacement);
       if (extended.empty())

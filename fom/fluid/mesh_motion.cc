@@ -180,6 +180,8 @@ namespace swimtwin
         map_.add_load(rows[i], load, rhs);
       }
     system_.set_right_hand_side(rhs);
+    if (system_.is_iterative()) // whatever was before, the mesh is the same
+      last_solution_.assign(map_.n_unknowns(), 0.);
     if (!system_.solve(last_solution_))
       return {};
 

@@ -8,7 +8,7 @@ namespace swimtwin
 
   template <int dim>
   FluidRigidSystem<dim>::FluidRigidSystem(const Swimmer<dim> &swimmer, FluidDomain<dim> &fluid, LinearSystem &solver,
-                                          const bool head_is_free, const MPI_Comm communicator)
+                                          const bool head_is_free, const MPI_Comm communicator, const bool in_plane)
       : swimmer_(swimmer), fluid_(fluid), solver_(solver), map_(fluid.n_rows(), 0, swimmer.scene().body_length_m()),
         condensation_(map_)
   {
@@ -18,9 +18,11 @@ namespace swimtwin
         map_.tie_to_head(fluid_.surface_row(k, c), c, swimmer_.surface_at_rest(k));
     for (int k = 0; k < n_rigid<dim>; ++k)
       motions_.push_back(k);
-    if (dim == 3 && !fluid.fluid_mesh().image_of_vertex.empty())
-    {
+    const bool is_mirrored = dim == 3 && !fluid.fluid_mesh().image_of_vertex.empty();
+    if (is_mirrored)
       fluid_.describe_mirror(map_);
+    if (is_mirrored || (dim == 3 && in_plane))
+    {
       motions_ = motions_in_plane<dim>;
       map_.keep_head_to(motions_);
     }

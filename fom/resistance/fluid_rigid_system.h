@@ -14,9 +14,9 @@ namespace swimtwin
   class FluidRigidSystem
   {
   public:
-    /// All must outlive this. Collective.
+    /// All must outlive this. `in_plane`: the head keeps to its plane, whatever the mesh. Collective.
     FluidRigidSystem(const Swimmer<dim> &swimmer, FluidDomain<dim> &fluid, LinearSystem &solver, bool head_is_free,
-                     MPI_Comm communicator);
+                     MPI_Comm communicator, bool in_plane = false);
 
     /// The fluid's mesh is already at the configuration; its surface moves with U + omega x r + R shape_rate. An empty
     /// rate means a frozen shape, no time walls at rest. Collective.

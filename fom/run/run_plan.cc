@@ -199,7 +199,9 @@ namespace swimtwin
             {"mesh motion", body_is_still ? "nothing moves" : "the domain moves with the rigid body"});
       else
       {
-        plan.solved.push_back({"mesh motion", "an extension from the mesh as it was made: one factorisation per mesh"});
+        const bool iterates = is_partitioned(scene) && scene.numerics.linear_solver == LinearSolver::iterative;
+        plan.solved.push_back({"mesh motion", std::string("an extension from the mesh as it was made: one ") +
+                                                  (iterates ? "preconditioner" : "factorisation") + " per mesh"});
         plan.solved.push_back(
             {"remeshing",
              scene.numerics.remesh_every_steps > 0
@@ -210,7 +212,7 @@ namespace swimtwin
       if (scene.numerics.reuse_factorization)
         plan.skipped.push_back(
             {"factorisations", "old factors precondition GMRES while that is cheaper than new ones"});
-      else
+      else if (scene.numerics.linear_solver != LinearSolver::iterative)
         plan.skipped.push_back({"half of every factorisation", "the coupled matrix is symmetric"});
       if (is_partitioned(scene))
         plan.solved.push_back(

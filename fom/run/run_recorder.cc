@@ -1,5 +1,7 @@
 #include <fom/run/run_recorder.h>
 
+#include <datasets/scene/mirror_plane.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -149,7 +151,7 @@ namespace swimtwin
 
     const unsigned int m = shapes_.size();
     set.pose.resize(m, 3);
-    if (dim == 3 && (scene_.field.leaves_plane() || scene_.gravity.leaves_plane()))
+    if (!way_out_of_plane(scene_).empty())
       set.pose_in_space.resize(m, 7);
     set.field_T.resize(m, 3);
     set.tail_displacement_m.resize(m, dim * n);

@@ -1,5 +1,6 @@
 #include <reports/run/draw_run.h>
 
+#include <datasets/scene/mirror_plane.h>
 #include <datasets/system/error.h>
 #include <reports/page/draw_pictures.h>
 #include <reports/run/motion_pictures.h>
@@ -21,7 +22,7 @@ namespace swimtwin
     std::vector<GnuplotPicture> choose_pictures(const ShownRun &run)
     {
       const bool has_shapes = run.snapshots && !run.snapshots->time_s.empty(),
-                 is_planar  = !run.scene.field.leaves_plane();
+                 is_planar  = way_out_of_plane(run.scene).empty();
       std::vector<GnuplotPicture> pictures;
       if (run.head_moves())
         pictures.push_back(trajectory_picture(run));
@@ -34,7 +35,7 @@ namespace swimtwin
         pictures.push_back(power_balance_picture(run));
       if (run.has_tail() ? has_shapes : run.head_moves())
       {
-        if (is_planar)
+        if (is_planar && !run.scene.head.surface) // which has no outline in the plane
           pictures.push_back(shapes_picture(run));
         if (run.scene.dimension == 3)
           pictures.push_back(spatial_view_picture(run));

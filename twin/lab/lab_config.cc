@@ -1,4 +1,5 @@
 #include <datasets/scene/inertia_terms.h>
+#include <datasets/scene/mirror_plane.h>
 #include <datasets/scene/scene.h>
 #include <datasets/system/error.h>
 #include <datasets/text/text_decoding.h>
@@ -145,7 +146,9 @@ namespace swimtwin
         refuse("has no free head with an elastic tail in a fluid");
       if (scene.head.magnetization_A_m == 0.)
         refuse("has a head without magnetization_A_m, which the twin follows");
-      if (scene.field.leaves_plane() || scene.gravity.leaves_plane())
+      if (scene.head.magnetization_direction != std::array{1., 0., 0.})
+        refuse("has a head that is not magnetised along its +x, as the twin takes it to be");
+      if (!way_out_of_plane(scene).empty())
         refuse("leaves the plane of x and y, which is all that the camera sees");
     }
 

@@ -128,6 +128,19 @@ steps = 2
     EXPECT_EQ(parse(scene.text).hash, scene.hash);
   }
 
+  // Of two equal bodies side by side the ends of both, or of one, are elastic.
+  TEST_F(SceneSurfaces, ATailOnOneSideMovesInSpace)
+  {
+    ExampleSurface both = example_box({2., 1., 1.}, 2).moved({0., 0., 1.});
+    both.add(example_box({2., 1., 1.}, 2).moved({0., 0., -1.}));
+    const std::size_t first =
+        sort_tail_last(both, [](const std::array<double, 3> &x) { return x[0] > 0. && x[2] > 0.; });
+    folder_.write("body.msh", msh41_text(both, first, {"head", "tail"}));
+    const Scene scene = parse(body_toml + tail_toml, {"head.surface=body.msh"});
+    EXPECT_FALSE(moves_in_plane(scene));
+    expect_in(way_out_of_plane(scene), "mirror image at z = 0");
+  }
+
   TEST_F(SceneSurfaces, EntriesGoWithTheShape)
   {
     expect_refused(body_toml, {"head.shape=sphere", "head.diameter_m=1e-3"}, "surface = \"body.stl\" does not belong");

@@ -111,5 +111,6 @@ namespace swimtwin
     expect_refused(
         two, [](const std::array<double, 3> &x) { return x[0] > 3.; },
         "is a piece of its own, which nothing holds; join it to the head");
+    expect_refused(two, behind, "has a piece of its own, which nothing holds; join it to the head");
   }
 } // namespace swimtwin
