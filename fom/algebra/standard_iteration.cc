@@ -52,9 +52,11 @@ namespace swimtwin
   {
     PC             pc;
     PCFailedReason failure;
+    check_petsc(KSPSetReusePreconditioner(ksp_, PETSC_FALSE), "set up a solver");
     check_petsc(KSPSetOperators(ksp_, matrix_, matrix_), "set up a solver"); // tells that the values changed
     check_petsc(KSPSetUp(ksp_), "set up a solver");
     check_petsc(KSPSetUpOnBlocks(ksp_), "set up a solver");
+    check_petsc(KSPSetReusePreconditioner(ksp_, PETSC_TRUE), "set up a solver"); // until it is set up again
     check_petsc(KSPGetPC(ksp_, &pc), "set up a solver");
     check_petsc(PCGetFailedReason(pc, &failure), "set up a solver");
     int someone_failed = failure != PC_NOERROR; // each rank knows of its own subdomain
