@@ -14,8 +14,8 @@
 
 namespace swimtwin
 {
-  struct ClosedSurface;
-  struct ElasticPart; // datasets/surface/closed_surface.h
+  struct ClosedSurface; // datasets/surface/closed_surface.h
+  struct ElasticPart;   // datasets/surface/elastic_part.h
   struct EnclosedVolume;
 
   enum class HeadShape { rectangle, disc, ellipse, surface };

@@ -1,6 +1,7 @@
 #include <datasets/surface/elastic_part.h>
 
 #include <datasets/files/input_file.h>
+#include <datasets/surface/surface_topology.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -81,30 +82,12 @@ namespace swimtwin
       return loop;
     }
 
-    /// What hangs together with the rim by the edges of elastic faces.
-    void require_one_piece(const ClosedSurface &body, const ElasticPart &part, const std::string &patch)
+    unsigned int n_pieces(const ClosedSurface &surface)
     {
-      std::vector<char> is_reached(body.nodes.size(), 0);
-      for (const auto node : part.rim)
-        is_reached[node] = 1;
-      const auto any = [&](const SurfaceFace &face, const char value) {
-        return std::any_of(face.begin(), face.begin() + 3,
-                           [&](const unsigned int v) { return is_reached[v] == value; });
-      };
-      for (bool grows = true; grows;)
-      {
-        grows = false;
-        for (std::size_t f = 0; f < body.faces.size(); ++f)
-          if (const auto &face = body.faces[f]; part.has_face[f] && any(face, 1) && any(face, 0))
-          {
-            grows = true;
-            for (int v = 0; v < 3; ++v)
-              is_reached[face[v]] = 1;
-          }
-      }
-      for (std::size_t f = 0; f < body.faces.size(); ++f)
-        if (part.has_face[f] && any(body.faces[f], 0))
-          refuse(body, fmt::format("\"{}\" has a piece of its own, which nothing holds; join it to the head", patch));
+      SurfaceSoup               soup{surface.nodes, surface.faces, surface.is_curved, {}, {}};
+      std::vector<unsigned int> piece_of_face;
+      orient_alike(soup, piece_of_face);
+      return 1 + *std::max_element(piece_of_face.begin(), piece_of_face.end());
     }
 
     Vector3d mean_of(const ClosedSurface &body, const std::vector<unsigned int> &nodes)
@@ -140,7 +123,8 @@ namespace swimtwin
     ElasticPart part;
     part.has_face = faces_of_patch(body, patch);
     part.rim      = loop_along(body, edges_between(body, part.has_face), patch);
-    require_one_piece(body, part, patch);
+    if (n_pieces(closed_part(body, part, true)) > 1)
+      refuse(body, fmt::format("\"{}\" has a piece of its own, which nothing holds; join it to the head", patch));
     require_plane_across_x(body, part, patch);
     return part;
   }
