@@ -74,6 +74,22 @@ namespace swimtwin
     EXPECT_EQ(given.mesh_size_corner_m, 0.);
   }
 
+  TEST(SceneReader, NumericsInSpaceAreThoseOfTetrahedraUnlessGiven)
+  {
+    const std::vector<std::string> in_space = {"dimension=3", "head.shape='cylinder'",
+                                               "domain.size_m=[40e-3, 20e-3, 20e-3]"};
+    const Numerics                 space    = parse_scene(swimmer_toml, "scene.toml", in_space).numerics,
+                   plane                    = parse_scene(swimmer_toml, "scene.toml").numerics;
+    EXPECT_EQ(space.mesh_growth, 0.5);
+    EXPECT_EQ(space.remesh_quality, 0.02);
+    EXPECT_TRUE(space.reuse_factorization);
+    EXPECT_FALSE(plane.reuse_factorization);
+    std::vector<std::string> given = in_space;
+    given.insert(given.end(), {"numerics.reuse_factorization=false", "numerics.remesh_quality=0.1"});
+    EXPECT_FALSE(parse_scene(swimmer_toml, "scene.toml", given).numerics.reuse_factorization);
+    EXPECT_EQ(parse_scene(swimmer_toml, "scene.toml", given).numerics.remesh_quality, 0.1);
+  }
+
   TEST(SceneReader, ChannelIsOpenAtBothEndsByDefault)
   {
     const Scene scene = parse_scene(swimmer_toml, "scene.toml", {"domain.shape=channel", "domain.walls={}"});
