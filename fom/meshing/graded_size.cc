@@ -22,4 +22,9 @@ namespace swimtwin
       return size;
     };
   }
+
+  SpatialSizeField scaled(const SpatialSizeField &size, const double factor)
+  {
+    return [=](const Point<3> &x) { return factor * size(x); };
+  }
 } // namespace swimtwin

@@ -9,4 +9,7 @@ namespace swimtwin
   /// Sizes at neighbouring points must not differ by more than that growth.
   SpatialSizeField graded_size(const std::vector<std::pair<dealii::Point<3>, double>> &prescribed, double growth,
                                double largest);
+
+  /// The same times a factor.
+  SpatialSizeField scaled(const SpatialSizeField &size, double factor);
 } // namespace swimtwin

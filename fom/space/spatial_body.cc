@@ -203,6 +203,26 @@ namespace swimtwin
       BodyMesh<3>                 &body_;
       std::map<Edge, unsigned int> middle_;
     };
+
+    BodyMesh<3> body_of_shapes(const Scene &scene, const MPI_Comm communicator)
+    {
+      const bool        is_film = scene.tail && scene.tail->section == TailSection::rectangular;
+      const BodySurface surface = is_film ? film_body(scene, communicator) : revolved_body(scene, communicator);
+      BodyMesh<3>       body;
+      if (surface.tail)
+        body.tail = make_tail(*surface.tail, surface.size, scene.numerics, communicator);
+      const QuadraticSurface half = join(surface.head, surface.tail);
+      WholeSurface           whole(half, body);
+      whole.set_loop(surface.trace);
+      set_vertices_and_sizes(body);
+      if (surface.tail)
+        whole.set_tail_nodes(*surface.tail);
+      else
+        body.tail_node.assign(body.surface.nodes.size(), -1);
+      if (surface.tail && scene.numerics.tail_order == 1)
+        straighten(body);
+      return body;
+    }
   } // namespace
 
   void set_vertices_and_sizes(BodyMesh<3> &body)
@@ -232,21 +252,11 @@ namespace swimtwin
   {
     if (scene.head.surface)
       return body_of_surface(scene, communicator);
-    const bool        is_film = scene.tail && scene.tail->section == TailSection::rectangular;
-    const BodySurface surface = is_film ? film_body(scene, communicator) : revolved_body(scene, communicator);
-    BodyMesh<3>       body;
-    if (surface.tail)
-      body.tail = make_tail(*surface.tail, surface.size, scene.numerics, communicator);
-    const QuadraticSurface half = join(surface.head, surface.tail);
-    WholeSurface           whole(half, body);
-    whole.set_loop(surface.trace);
-    set_vertices_and_sizes(body);
-    if (surface.tail)
-      whole.set_tail_nodes(*surface.tail);
-    else
-      body.tail_node.assign(body.surface.nodes.size(), -1);
-    if (surface.tail && scene.numerics.tail_order == 1)
-      straighten(body);
-    return body;
+    return first_not_inverted([&](const double factor) {
+      Scene finer = scene;
+      finer.numerics.mesh_size_m *= factor;
+      finer.numerics.mesh_size_corner_m *= factor;
+      return body_of_shapes(finer, communicator);
+    });
   }
 } // namespace swimtwin

@@ -2,6 +2,7 @@
 #include <fom/geometry/reflection.h>
 #include <fom/mesh/fluid_mesh.h>
 #include <fom/mesh/inverted_element.h>
+#include <fom/meshing/graded_size.h>
 #include <fom/space/names_of_walls.h>
 #include <fom/space/size_around.h>
 #include <fom/space/spatial_walls.h>
@@ -67,30 +68,38 @@ namespace swimtwin
         }
       return names.nodes();
     }
+
+    FluidMesh<3> make_with_sizes(const Domain &domain, const BodyMesh<3> &body, const std::vector<Point<3>> &x,
+                                 const Point<3> &center, const SpatialSizeField &size, const MPI_Comm communicator)
+    {
+      QuadraticSurface half;
+      add_body(half, body, x);
+      const SpatialWalls    walls = add_walls(half, domain, center, size, communicator);
+      std::vector<Point<3>> hole;
+      for (const auto k : body.plane_loop)
+        hole.push_back(x[k]);
+      auto plane   = plane_patch({walls.plane_loop, hole}, 2, size);
+      plane.number = mirror_patch;
+      add_patch(half, plane, communicator);
+
+      std::vector<unsigned int> image;
+      const SimplexSoup<3>      soup = reflect(tetrahedralize(half.corners, size, communicator), 0., image);
+      FluidMesh<3>              fluid{SimplexMesh<3>(soup, communicator), {}, {}, image};
+      curve_edges(fluid.mesh, half, image);
+      untangle(fluid.mesh, half, image, mirror_patch);
+      fluid.surface_nodes = find_surface_nodes(fluid.mesh, half, image, body, x);
+      fluid.wall_nodes    = find_wall_nodes(domain, fluid.mesh, half, image, walls);
+      refuse_inverted_elements(fluid.mesh, name_of_fluid_mesh);
+      return fluid;
+    }
   } // namespace
 
   FluidMesh<3> make_fluid_mesh(const Domain &domain, const BodyMesh<3> &body, const std::vector<Point<3>> &x,
                                const Point<3> &center, const Numerics &numerics, const MPI_Comm communicator)
   {
     const SpatialSizeField size = size_around(body, x, numerics);
-    QuadraticSurface       half;
-    add_body(half, body, x);
-    const SpatialWalls    walls = add_walls(half, domain, center, size, communicator);
-    std::vector<Point<3>> hole;
-    for (const auto k : body.plane_loop)
-      hole.push_back(x[k]);
-    auto plane   = plane_patch({walls.plane_loop, hole}, 2, size);
-    plane.number = mirror_patch;
-    add_patch(half, plane, communicator);
-
-    std::vector<unsigned int> image;
-    const SimplexSoup<3>      soup = reflect(tetrahedralize(half.corners, size, communicator), 0., image);
-    FluidMesh<3>              fluid{SimplexMesh<3>(soup, communicator), {}, {}, image};
-    curve_edges(fluid.mesh, half, image);
-    untangle(fluid.mesh, half, image, mirror_patch);
-    fluid.surface_nodes = find_surface_nodes(fluid.mesh, half, image, body, x);
-    fluid.wall_nodes    = find_wall_nodes(domain, fluid.mesh, half, image, walls);
-    refuse_inverted_elements(fluid.mesh, name_of_fluid_mesh);
-    return fluid;
+    return first_not_inverted([&](const double factor) {
+      return make_with_sizes(domain, body, x, center, scaled(size, factor), communicator);
+    });
   }
 } // namespace swimtwin

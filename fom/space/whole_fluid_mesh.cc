@@ -130,6 +130,28 @@ namespace swimtwin
         }
       return names.nodes();
     }
+
+    FluidMesh<3> make_whole_with_sizes(const Domain &domain, const BodyMesh<3> &body, const std::vector<Point<3>> &x,
+                                       const Point<3> &center, const SpatialSizeField &size,
+                                       const MPI_Comm communicator)
+    {
+      WholeBoundary boundary;
+      if (domain.surface)
+        add_walls_of_surface(boundary, *domain.surface);
+      else
+        add_walls_of_shape(boundary, domain, center, size, communicator);
+      add_body_as_hole(boundary.surface, body, x);
+
+      FluidMesh<3> fluid{
+          SimplexMesh<3>(tetrahedralize(boundary.surface.corners, size, communicator), communicator), {}, {}, {}};
+      for (const auto &[edge, middle] : boundary.surface.middle)
+        fluid.mesh.nodes[fluid.mesh.edge_node(edge[0], edge[1])] = middle;
+      untangle(fluid.mesh, boundary.surface);
+      fluid.surface_nodes = nodes_on_body(fluid.mesh, boundary.surface, body, x);
+      fluid.wall_nodes    = nodes_on_walls(domain, fluid.mesh, boundary);
+      refuse_inverted_elements(fluid.mesh, name_of_fluid_mesh);
+      return fluid;
+    }
   } // namespace
 
   FluidMesh<3> make_whole_fluid_mesh(const Domain &domain, const BodyMesh<3> &body, const std::vector<Point<3>> &x,
@@ -138,21 +160,8 @@ namespace swimtwin
     SpatialSizeField size = size_around(body, x, numerics);
     if (domain.surface)
       size = size_between(size, *domain.surface, numerics);
-    WholeBoundary boundary;
-    if (domain.surface)
-      add_walls_of_surface(boundary, *domain.surface);
-    else
-      add_walls_of_shape(boundary, domain, center, size, communicator);
-    add_body_as_hole(boundary.surface, body, x);
-
-    FluidMesh<3> fluid{
-        SimplexMesh<3>(tetrahedralize(boundary.surface.corners, size, communicator), communicator), {}, {}, {}};
-    for (const auto &[edge, middle] : boundary.surface.middle)
-      fluid.mesh.nodes[fluid.mesh.edge_node(edge[0], edge[1])] = middle;
-    untangle(fluid.mesh, boundary.surface);
-    fluid.surface_nodes = nodes_on_body(fluid.mesh, boundary.surface, body, x);
-    fluid.wall_nodes    = nodes_on_walls(domain, fluid.mesh, boundary);
-    refuse_inverted_elements(fluid.mesh, name_of_fluid_mesh);
-    return fluid;
+    return first_not_inverted([&](const double factor) {
+      return make_whole_with_sizes(domain, body, x, center, scaled(size, factor), communicator);
+    });
   }
 } // namespace swimtwin

@@ -57,6 +57,22 @@ namespace swimtwin
     }
   }
 
+  TEST(InvertedElement, LeadsToAnotherMeshAndToTheFirstRefusalIfNoneIsRight)
+  {
+    const auto right_below = [](const double limit) {
+      return [limit](const double factor) {
+        if (factor > limit)
+          throw InvertedElement("at " + std::to_string(factor));
+        return factor;
+      };
+    };
+    EXPECT_EQ(first_not_inverted(right_below(1.)), 1.);
+    EXPECT_EQ(first_not_inverted(right_below(0.97)), 0.95);
+    EXPECT_EQ(first_not_inverted(right_below(0.92)), 0.9);
+    EXPECT_EQ(first_not_inverted(right_below(0.85)), 0.8);
+    EXPECT_EQ(message_of<InvertedElement>([&] { first_not_inverted(right_below(0.5)); }), "at " + std::to_string(1.));
+  }
+
   TEST(InvertedElement, CornersOnALineAreNamedSo)
   {
     SimplexMesh<2> mesh              = one_triangle(0.);

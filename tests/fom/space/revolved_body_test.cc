@@ -86,6 +86,19 @@ namespace swimtwin
 
   // A tail nearly as thick as the spherical head it leaves, at an angle of 10 degrees: in the wedge between them cells
   // can but be thin.
+  TEST(RevolvedBody, IsMeshedAnewWhereItsTipFoldsAnElement)
+  {
+    // A blunt tip of some four elements: at about one in eight of these sizes the first mesh has an element inside out.
+    for (const char *corner_m : {"1e-4", "1.2e-4", "1.5e-4", "1.7e-4", "1.87e-4"})
+    {
+      const Scene scene = shipped_scene(
+          "reference-3d-paper", {"head.size_m=[1.5e-3, 1.2e-3]", "tail.length_m=6e-3", "tail.root_height_m=0.8e-3",
+                                 "tail.tip_height_m=0.5e-3", "numerics.mesh_size_m=3.75e-4", "numerics.mesh_growth=0.3",
+                                 "numerics.mesh_size_corner_m=" + std::string(corner_m)});
+      EXPECT_NO_THROW(Swimmer<3>(scene, MPI_COMM_WORLD)) << corner_m;
+    }
+  }
+
   TEST(RevolvedBody, IsMeshedInAThinWedgeOrRefusedWithASizeThatWorks)
   {
     const Scene scene = shipped_scene(
