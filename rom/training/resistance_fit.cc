@@ -123,7 +123,30 @@ namespace swimtwin
       return taken > 0. ? std::sqrt(sum / taken) : 0.;
     }
 
-    FitQuality cross_validate(const Eigen::MatrixXi &exponents, const SampleTable &table, const double ridge)
+    /// The table with the guide's rows below it.
+    SampleTable guided(SampleTable table, const SampleTable &guide, const FitRestraint &restraint)
+    {
+      if (restraint.guidance == 0.)
+        return table;
+      const Eigen::Index n = table.z.rows(), more = guide.z.rows();
+      const double       weight = restraint.guidance * table.weight.norm() / std::sqrt(static_cast<double>(more));
+      table.z.conservativeResize(n + more, Eigen::NoChange);
+      table.entries.conservativeResize(n + more, Eigen::NoChange);
+      table.weight.conservativeResize(n + more);
+      table.z.bottomRows(more)       = guide.z;
+      table.entries.bottomRows(more) = guide.entries;
+      table.weight.tail(more).setConstant(weight);
+      return table;
+    }
+
+    Eigen::MatrixXd fit_restrained(const Eigen::MatrixXi &exponents, const SampleTable &table, const SampleTable &guide,
+                                   const FitRestraint &restraint)
+    {
+      return fit_coefficients(exponents, guided(table, guide, restraint), restraint.ridge);
+    }
+
+    FitQuality cross_validate(const Eigen::MatrixXi &exponents, const SampleTable &table, const SampleTable &guide,
+                              const FitRestraint &restraint)
     {
       constexpr int       n_folds = 5;
       FitQuality          quality{0., 0., static_cast<int>(exponents.rows())};
@@ -133,8 +156,9 @@ namespace swimtwin
         std::vector<int> kept, held;
         for (int k = 0; k < table.z.rows(); ++k)
           (k > 0 && k % n_folds == fold ? held : kept).push_back(k); // rest is always kept
-        const SampleTable     test   = table.rows(held);
-        const Eigen::MatrixXd fitted = design(exponents, test.z) * fit_coefficients(exponents, table.rows(kept), ridge);
+        const SampleTable     test = table.rows(held);
+        const Eigen::MatrixXd fitted =
+            design(exponents, test.z) * fit_restrained(exponents, table.rows(kept), guide, restraint);
         for (Eigen::Index k = 0; k < fitted.rows(); ++k)
         {
           errors.push_back(relative_error(fitted.row(k).transpose(), test.entries.row(k).transpose(), table.n));
@@ -162,13 +186,12 @@ namespace swimtwin
 
     /// Variables, one row each, as far as the resistance is evaluated where motions lead beyond what was sampled:
     /// shapes at the utmost, poses up to there.
-    Eigen::MatrixXd variables_beyond(const SampledRegion &region)
+    Eigen::MatrixXd variables_beyond(const SampledRegion &region, const int n_points)
     {
-      constexpr int      n_points = 1000;
-      constexpr double   beyond   = 1.5;
-      const double       utmost   = saturated(beyond);
-      const Eigen::Index r        = region.coordinate_scale_m.size();
-      const auto         points   = filling_points(region, {Eigen::VectorXd::Zero(r), 0., 0., 0.}, n_points);
+      constexpr double   beyond = 1.5;
+      const double       utmost = saturated(beyond);
+      const Eigen::Index r      = region.coordinate_scale_m.size();
+      const auto         points = filling_points(region, {Eigen::VectorXd::Zero(r), 0., 0., 0.}, n_points);
       Eigen::MatrixXd    z(n_points, region.n_variables());
       for (int k = 0; k < n_points; ++k)
       {
@@ -205,12 +228,14 @@ namespace swimtwin
     }
 
     fit_chosen_features(feature_sets(effects, table.z.rows()), table, nearly);
-    const Eigen::MatrixXd A = table.weight.asDiagonal() * design(resistance_.exponents, table.z);
+    const SampleTable     rows = guided(table, guide_, restraint_);
+    const Eigen::MatrixXd A    = rows.weight.asDiagonal() * design(resistance_.exponents, rows.z);
     for (const int odd : {0, 1})
     {
-      features_[odd]                = of_parity(resistance_.exponents, odd);
-      const Eigen::MatrixXd inverse = inverse_factor(with_ridge(A(Eigen::all, features_[odd]), table.weight, ridge_));
-      covariance_[odd]              = inverse * inverse.transpose();
+      features_[odd] = of_parity(resistance_.exponents, odd);
+      const Eigen::MatrixXd inverse =
+          inverse_factor(with_ridge(A(Eigen::all, features_[odd]), rows.weight, restraint_.ridge));
+      covariance_[odd] = inverse * inverse.transpose();
     }
     resistance_.coordinate_scale_m = region.coordinate_scale_m;
     resistance_.depends_on_angle   = region.depends_on_angle;
@@ -233,45 +258,66 @@ namespace swimtwin
       for (int k = 1; k < table.z.rows(); ++k)
         if (k % 2 == half)
           rows.push_back(k);
-      resistance_.half_fits.push_back(fit_coefficients(resistance_.exponents, table.rows(rows), ridge_));
+      resistance_.half_fits.push_back(fit_restrained(resistance_.exponents, table.rows(rows), guide_, restraint_));
     }
   }
 
-  /// Of the fits that are sound, with each set and each ridge, the smallest that is nearly as good as the best.
+  /// Coarse fits first; the best of those that are sound guides finer ones. Of all that are sound the smallest that is
+  /// nearly as good as the best.
   void ResistanceFit::fit_chosen_features(const std::vector<Eigen::MatrixXi> &sets, const SampleTable &table,
                                           const double nearly)
   {
     struct Candidate
     {
-      std::size_t set;
-      double      ridge;
-      FitQuality  quality;
+      std::size_t  set;
+      FitRestraint restraint;
+      FitQuality   quality;
     };
-    std::vector<Candidate> candidates;
-    for (std::size_t i = 0; i < sets.size(); ++i)
-      for (const double ridge : {smallest_ridge, 1e-3, 3e-3, 1e-2})
-        candidates.push_back({i, ridge, cross_validate(sets[i], table, ridge)});
+    constexpr int    n_judged = 1000, n_guiding = 500, most_of_coarse = 150;
+    constexpr double times = 4., share_of_guide = .5;
     // Sound: nowhere beyond the samples is the condition more than some times that of the worst of them.
-    constexpr double      times  = 4.;
     const double          bound  = times * largest_condition(table.entries, table.n);
-    const Eigen::MatrixXd beyond = variables_beyond(region_);
-    const auto            fit    = [&](const Candidate &candidate) {
-      quality_                 = candidate.quality;
-      ridge_                   = candidate.ridge;
-      resistance_.exponents    = sets[candidate.set];
-      resistance_.coefficients = fit_coefficients(resistance_.exponents, table, ridge_);
-      return largest_condition(design(resistance_.exponents, beyond) * resistance_.coefficients, table.n) <= bound;
+    const Eigen::MatrixXd beyond = variables_beyond(region_, n_judged + n_guiding), judged = beyond.topRows(n_judged);
+    guide_.z = beyond.bottomRows(n_guiding);
+
+    std::vector<Candidate> candidates;
+    const auto             add = [&](const std::size_t set, const FitRestraint &restraint) {
+      candidates.push_back({set, restraint, cross_validate(sets[set], table, guide_, restraint)});
     };
-    std::sort(candidates.begin(), candidates.end(),
-              [](const auto &a, const auto &b) { return a.quality.rms < b.quality.rms; });
-    const auto   best   = std::find_if(candidates.begin(), candidates.end(), fit);
-    const double enough = nearly * (best == candidates.end() ? 0. : best->quality.rms);
+    const auto is_within = [&](const Candidate &candidate, const double condition) {
+      quality_                 = candidate.quality;
+      restraint_               = candidate.restraint;
+      resistance_.exponents    = sets[candidate.set];
+      resistance_.coefficients = fit_restrained(resistance_.exponents, table, guide_, restraint_);
+      return largest_condition(design(resistance_.exponents, judged) * resistance_.coefficients, table.n) <= condition;
+    };
+    const auto fit_best_within = [&](const double condition) {
+      std::sort(candidates.begin(), candidates.end(),
+                [](const auto &a, const auto &b) { return a.quality.rms < b.quality.rms; });
+      return std::find_if(candidates.begin(), candidates.end(),
+                          [&](const Candidate &candidate) { return is_within(candidate, condition); });
+    };
+    for (std::size_t i = 0; i < sets.size() && (i == 0 || sets[i].rows() <= most_of_coarse); ++i)
+      for (const double ridge : {smallest_ridge, 1e-3, 3e-3, 1e-2})
+        add(i, {ridge, 0.});
+    auto best = fit_best_within(share_of_guide * bound);
+    if (best == candidates.end())
+    {
+      std::iter_swap(candidates.begin(), std::min_element(candidates.begin(), candidates.end(),
+                                                          [](const auto &a, const auto &b) { return a.set < b.set; }));
+      is_within(candidates.front(), bound); // the fewest monomials
+      return;
+    }
+    guide_.entries = design(resistance_.exponents, guide_.z) * resistance_.coefficients;
+    for (std::size_t i = best->set; i < sets.size(); ++i)
+      for (const double guidance : {1e-3, 1e-2, 1e-1})
+        add(i, {smallest_ridge, guidance});
+    best                = fit_best_within(bound);
+    const double enough = nearly * best->quality.rms;
     std::stable_sort(candidates.begin(), candidates.end(), [](const auto &a, const auto &b) { return a.set < b.set; });
-    if (enough == 0.)
-      fit(candidates.front()); // nothing is sound: the fewest monomials
-    else
-      std::find_if(candidates.begin(), candidates.end(),
-                   [&](const Candidate &candidate) { return candidate.quality.rms <= enough && fit(candidate); });
+    std::find_if(candidates.begin(), candidates.end(), [&](const Candidate &candidate) {
+      return candidate.quality.rms <= enough && is_within(candidate, bound);
+    });
   }
 
   double ResistanceFit::leverage(const ShapePoint &point) const

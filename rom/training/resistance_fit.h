@@ -46,12 +46,20 @@ namespace swimtwin
     }
   };
 
+  /// How a fit is kept small where samples do not tell it: by a weight on its coefficients, and by one on rows beyond
+  /// the samples that hold it to a coarser fit there.
+  struct FitRestraint
+  {
+    double ridge = 0., guidance = 0.;
+  };
+
   /// Which monomials matter is told by `effects`: how much each variable at the region's edge changes the scaled
-  /// factor. Their products, raised to the powers of a monomial, must exceed a bound; the bound, and a penalty on the
+  /// factor. Their products, raised to the powers of a monomial, must exceed a bound; the bound, and a restraint of the
   /// coefficients, are chosen by cross-validation: the smallest set that is within `nearly` times of the best, of those
-  /// that are not wild beyond the region. The first sample is that at rest; others count less the farther their C is
-  /// from its.
-  /// All bending coordinates are odd. The halves of the samples are fitted by themselves as well, every other one.
+  /// that are not wild beyond the region. Polynomials that are fine enough within it are wild beyond, where no sample
+  /// is, unless rows there hold them to the best coarse fit that is not. The first sample is that at rest; others count
+  /// less the farther their C is from its. All bending coordinates are odd. The halves of the samples are fitted by
+  /// themselves as well, every other one.
   class ResistanceFit
   {
   public:
@@ -80,7 +88,8 @@ namespace swimtwin
     SampledRegion                   region_;
     ReducedResistance               resistance_;
     FitQuality                      quality_;
-    double                          ridge_ = 0.;
+    FitRestraint                    restraint_;
+    SampleTable                     guide_;
     std::array<std::vector<int>, 2> features_;   ///< even, odd
     std::array<Eigen::MatrixXd, 2>  covariance_; ///< (A^T A)^-1 of their design matrices
   };
