@@ -64,13 +64,18 @@ namespace swimtwin
              (scene.tail && scene.tail->is_driven());
     }
 
+    bool is_off_axis(const Scene &scene)
+    {
+      return scene.domain && scene.domain->center_m[1] != scene.head.center_m[1];
+    }
+
     std::string why_missing(const Scene &scene)
     {
       if (is_driven_across(scene))
         return "the prescribed motion goes across the axis";
       if (scene.head.angle_rad != 0.)
         return "the swimmer starts at an angle";
-      if (scene.domain && scene.domain->center_m[1] != scene.head.center_m[1])
+      if (is_off_axis(scene))
         return "the head is not on the domain's axis";
       if (scene.gravity.acceleration_m_s2[1] != 0.)
         return "gravity acts across the axis";
@@ -127,6 +132,11 @@ namespace swimtwin
       return {};
     }
   } // namespace
+
+  bool domain_is_mirrored(const Scene &scene)
+  {
+    return !scene.domain || (!is_off_axis(scene) && asymmetric_wall(*scene.domain).empty());
+  }
 
   MirrorPlane find_mirror_plane(const Scene &scene)
   {

@@ -19,6 +19,10 @@ namespace swimtwin
 
   MirrorPlane find_mirror_plane(const Scene &scene);
 
+  /// Whether the domain is its own mirror image at that plane: a swimmer that moves as another one's mirror image then
+  /// feels the mirror image of its forces. A scene without a fluid is.
+  bool domain_is_mirrored(const Scene &scene);
+
   /// Whether a run solves the upper half and reflects it: when the scene asks for it, or leaves the choice open, has a
   /// plane beyond doubt and is not partitioned.
   bool solves_half(const Scene &scene);

@@ -2,6 +2,7 @@
 
 #include <datasets/scene/dimensionless_groups.h>
 #include <datasets/scene/inertia_terms.h>
+#include <datasets/scene/mirror_plane.h>
 #include <datasets/system/error.h>
 #include <rom/swimmer/dense_algebra.h>
 #include <rom/training/explored_shapes.h>
@@ -264,7 +265,7 @@ namespace swimtwin
                    const std::function<void(int, int)> &on_progress)
   {
     const int n_samples = std::clamp(model.record.n_resistance_samples / 4, 40, 400);
-    if (inertia_terms(scene, largest_shares(scene, model.range)).any())
+    if (domain_is_mirrored(scene) && inertia_terms(scene, largest_shares(scene, model.range)).any())
       model.inertia = train_inertia(model, scene, n_samples, communicator, on_progress).inertia;
   }
 
@@ -279,7 +280,8 @@ namespace swimtwin
                      group)
                : fmt::format(
                      "Inertia of fluid and solid: the unsteady group 2 pi rho f L^2 / mu is up to {:.2g}; with the "
-                     "stiffest tail {} is missing there.",
-                     group, share_of_displacement(largest_shares(scene, range).together()));
+                     "stiffest tail {} is missing there{}.",
+                     group, share_of_displacement(largest_shares(scene, range).together()),
+                     domain_is_mirrored(scene) ? "" : " (it is carried on the axis of a domain alone)");
   }
 } // namespace swimtwin

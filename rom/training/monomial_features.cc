@@ -65,17 +65,19 @@ namespace swimtwin
     return A;
   }
 
-  std::vector<Eigen::MatrixXi> feature_sets(const Eigen::VectorXd &effects, const Eigen::Index n_samples)
+  std::vector<Eigen::MatrixXi> feature_sets(const Eigen::VectorXd &effects, const Eigen::Index n_samples,
+                                            const bool has_parity)
   {
     // Nothing is analytic enough for a power of more than this.
     const Eigen::VectorXd        bounded = effects.cwiseMin(.7);
     std::vector<Eigen::MatrixXi> sets;
     for (double bound = .3; bound > 1e-9; bound *= .7)
     {
-      Eigen::MatrixXi set = features_above(bounded, bound);
-      if (3 * static_cast<Eigen::Index>(std::max(of_parity(set, 0).size(), of_parity(set, 1).size())) > n_samples)
+      Eigen::MatrixXi set    = features_above(bounded, bound);
+      const auto      n_even = static_cast<Eigen::Index>(of_parity(set, 0).size()), n_odd = set.rows() - n_even;
+      if (3 * (has_parity ? std::max(n_even, n_odd) : set.rows()) > n_samples)
         break;
-      if (of_parity(set, 1).empty())
+      if (n_odd == 0)
         continue;
       if (sets.empty() || 4 * set.rows() > 5 * sets.back().rows())
         sets.push_back(std::move(set));

@@ -15,9 +15,10 @@ namespace swimtwin
   std::vector<int> of_parity(const Eigen::MatrixXi &exponents, int odd);
 
   /// Sets to choose from, each larger by a quarter or more than the one before, up to a third of the samples per
-  /// parity: all monomials for which the product of the variables' effects exceeds a bound. Throws ComputationError if
-  /// there are too few samples for any.
-  std::vector<Eigen::MatrixXi> feature_sets(const Eigen::VectorXd &effects, Eigen::Index n_samples);
+  /// parity, or in all where parities are not told apart: all monomials for which the product of the variables' effects
+  /// exceeds a bound. Throws ComputationError if there are too few samples for any.
+  std::vector<Eigen::MatrixXi> feature_sets(const Eigen::VectorXd &effects, Eigen::Index n_samples,
+                                            bool has_parity = true);
 
   inline constexpr double smallest_ridge = 1e-4;
 

@@ -22,12 +22,12 @@ namespace swimtwin
     return z;
   }
 
-  Eigen::MatrixXd factor_at_rest(const Eigen::MatrixXd &rest)
+  Eigen::MatrixXd factor_at_rest(const Eigen::MatrixXd &rest, const bool has_mirror)
   {
     Eigen::MatrixXd symmetric = rest;
     for (Eigen::Index i = 0; i < rest.rows(); ++i)
       for (Eigen::Index j = 0; j < rest.cols(); ++j)
-        if (velocity_parity(i) * velocity_parity(j) < 0)
+        if (has_mirror && velocity_parity(i) * velocity_parity(j) < 0)
           symmetric(i, j) = 0.;
     return cholesky_factor(symmetric);
   }
@@ -50,9 +50,10 @@ namespace swimtwin
     return entries;
   }
 
-  Eigen::VectorXd variable_effects(const Eigen::MatrixXd &rest, const std::vector<Eigen::MatrixXd> &axis)
+  Eigen::VectorXd variable_effects(const Eigen::MatrixXd &rest, const std::vector<Eigen::MatrixXd> &axis,
+                                   const bool has_mirror)
   {
-    const Eigen::MatrixXd L0 = factor_at_rest(rest);
+    const Eigen::MatrixXd L0 = factor_at_rest(rest, has_mirror);
     Eigen::VectorXd       effects(axis.size());
     for (std::size_t i = 0; i < axis.size(); ++i)
       effects(i) = std::max(1e-4, factor_entries(L0, axis[i]).cwiseAbs().maxCoeff());
@@ -72,18 +73,27 @@ namespace swimtwin
       return columns;
     }
 
+    std::vector<FittedTogether> fitted_together(const Eigen::MatrixXi &exponents, const SampleTable &table)
+    {
+      if (table.has_mirror)
+        return {{of_parity(exponents, 0), entries_of_parity(table.n, 0)},
+                {of_parity(exponents, 1), entries_of_parity(table.n, 1)}};
+      FittedTogether all{std::vector<int>(exponents.rows()), std::vector<int>(table.n * (table.n + 1) / 2)};
+      std::iota(all.features.begin(), all.features.end(), 0);
+      std::iota(all.entries.begin(), all.entries.end(), 0);
+      return {all};
+    }
+
     Eigen::MatrixXd fit_coefficients(const Eigen::MatrixXi &exponents, const SampleTable &table, const double ridge)
     {
       const Eigen::MatrixXd A = table.weight.asDiagonal() * design(exponents, table.z);
       Eigen::MatrixXd       c = Eigen::MatrixXd::Zero(exponents.rows(), table.entries.cols());
-      for (const int odd : {0, 1})
+      for (const auto &[features, entries] : fitted_together(exponents, table))
       {
-        const auto      features = of_parity(exponents, odd);
-        const auto      entries  = entries_of_parity(table.n, odd);
-        Eigen::MatrixXd data     = Eigen::MatrixXd::Zero(A.rows() + static_cast<Eigen::Index>(features.size()),
-                                                         static_cast<Eigen::Index>(entries.size()));
-        data.topRows(A.rows())   = table.weight.asDiagonal() * table.entries(Eigen::all, entries);
-        c(features, entries)     = solve_by_plain_qr(with_ridge(A(Eigen::all, features), table.weight, ridge), data);
+        Eigen::MatrixXd data   = Eigen::MatrixXd::Zero(A.rows() + static_cast<Eigen::Index>(features.size()),
+                                                       static_cast<Eigen::Index>(entries.size()));
+        data.topRows(A.rows()) = table.weight.asDiagonal() * table.entries(Eigen::all, entries);
+        c(features, entries)   = solve_by_plain_qr(with_ridge(A(Eigen::all, features), table.weight, ridge), data);
       }
       return c;
     }
@@ -214,9 +224,10 @@ namespace swimtwin
       : region_(region)
   {
     const Eigen::Index n       = samples.front().resistance.rows();
-    resistance_.factor_at_rest = factor_at_rest(samples.front().resistance);
+    resistance_.factor_at_rest = factor_at_rest(samples.front().resistance, region.has_mirror);
     SampleTable table{Eigen::MatrixXd(samples.size(), region.n_variables()),
-                      Eigen::MatrixXd(samples.size(), n * (n + 1) / 2), Eigen::VectorXd(samples.size()), n};
+                      Eigen::MatrixXd(samples.size(), n * (n + 1) / 2), Eigen::VectorXd(samples.size()), n,
+                      region.has_mirror};
     // Where the resistance is far from that at rest no polynomial follows it; fitted all the same, such corners would
     // spoil the shapes that swimmers go through.
     constexpr double far = 0.5; // in entries of C
@@ -227,15 +238,15 @@ namespace swimtwin
       table.weight(k)      = samples[k].point.weight / (1. + table.entries.row(k).squaredNorm() / (far * far));
     }
 
-    fit_chosen_features(feature_sets(effects, table.z.rows()), table, nearly);
+    fit_chosen_features(feature_sets(effects, table.z.rows(), region.has_mirror), table, nearly);
     const SampleTable     rows = guided(table, guide_, restraint_);
     const Eigen::MatrixXd A    = rows.weight.asDiagonal() * design(resistance_.exponents, rows.z);
-    for (const int odd : {0, 1})
+    parts_                     = fitted_together(resistance_.exponents, table);
+    for (const auto &[features, entries] : parts_)
     {
-      features_[odd] = of_parity(resistance_.exponents, odd);
       const Eigen::MatrixXd inverse =
-          inverse_factor(with_ridge(A(Eigen::all, features_[odd]), rows.weight, restraint_.ridge));
-      covariance_[odd] = inverse * inverse.transpose();
+          inverse_factor(with_ridge(A(Eigen::all, features), rows.weight, restraint_.ridge));
+      covariance_.push_back(inverse * inverse.transpose());
     }
     resistance_.coordinate_scale_m = region.coordinate_scale_m;
     resistance_.depends_on_angle   = region.depends_on_angle;
@@ -324,41 +335,41 @@ namespace swimtwin
   {
     const Eigen::VectorXd a       = monomials(resistance_.exponents, region_.variables(point));
     double                largest = 0.;
-    for (const int odd : {0, 1})
+    for (std::size_t p = 0; p < parts_.size(); ++p)
     {
-      const Eigen::VectorXd part = a(features_[odd]);
-      largest                    = std::max(largest, part.dot(covariance_[odd] * part));
+      const Eigen::VectorXd part = a(parts_[p].features);
+      largest                    = std::max(largest, part.dot(covariance_[p] * part));
     }
     return largest;
   }
 
   std::vector<ShapePoint> ResistanceFit::worst_supported(const std::vector<ShapePoint> &candidates, const int n) const
   {
-    const auto                     m = static_cast<Eigen::Index>(candidates.size());
-    std::array<Eigen::MatrixXd, 2> rows;
-    std::array<Eigen::VectorXd, 2> leverages;
-    auto                           covariance = covariance_;
-    for (const int odd : {0, 1})
+    const auto                   m          = static_cast<Eigen::Index>(candidates.size());
+    auto                         covariance = covariance_;
+    std::vector<Eigen::MatrixXd> rows;
+    Eigen::MatrixXd              leverages(m, static_cast<Eigen::Index>(parts_.size())); // a column for each part
+    for (std::size_t p = 0; p < parts_.size(); ++p)
     {
-      rows[odd].resize(m, static_cast<Eigen::Index>(features_[odd].size()));
+      rows.emplace_back(m, static_cast<Eigen::Index>(parts_[p].features.size()));
       for (Eigen::Index k = 0; k < m; ++k)
-        rows[odd].row(k) = monomials(resistance_.exponents, region_.variables(candidates[k]))(features_[odd]);
-      leverages[odd] = (rows[odd] * covariance[odd]).cwiseProduct(rows[odd]).rowwise().sum();
+        rows[p].row(k) = monomials(resistance_.exponents, region_.variables(candidates[k]))(parts_[p].features);
+      leverages.col(p) = (rows[p] * covariance[p]).cwiseProduct(rows[p]).rowwise().sum();
     }
     std::vector<ShapePoint> chosen;
     while (static_cast<int>(chosen.size()) < std::min<Eigen::Index>(n, m))
     {
       Eigen::Index worst;
-      leverages[0].cwiseMax(leverages[1]).maxCoeff(&worst);
+      leverages.rowwise().maxCoeff().maxCoeff(&worst);
       chosen.push_back(candidates[worst]);
-      for (const int odd : {0, 1})
+      for (std::size_t p = 0; p < parts_.size(); ++p)
       {
         // One more row in the design matrix: Sherman and Morrison's formula.
-        const Eigen::VectorXd a     = rows[odd].row(worst).transpose();
-        const Eigen::VectorXd Ma    = covariance[odd] * a;
+        const Eigen::VectorXd a     = rows[p].row(worst).transpose();
+        const Eigen::VectorXd Ma    = covariance[p] * a;
         const double          scale = 1. + a.dot(Ma);
-        covariance[odd] -= Ma * Ma.transpose() / scale;
-        leverages[odd] -= (rows[odd] * Ma).cwiseAbs2() / scale;
+        covariance[p] -= Ma * Ma.transpose() / scale;
+        leverages.col(p) -= (rows[p] * Ma).cwiseAbs2() / scale;
       }
     }
     return chosen;

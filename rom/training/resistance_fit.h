@@ -4,7 +4,7 @@
 #include <datasets/reduced/reduced_model.h>
 #include <rom/training/shape_sampler.h>
 
-#include <array>
+#include <vector>
 
 namespace swimtwin
 {
@@ -17,6 +17,7 @@ namespace swimtwin
     double          angle_scale_rad   = 1.;
     bool            depends_on_height = false;
     double          height_scale_m    = 1.;
+    bool            has_mirror        = true; ///< whether a mirrored swimmer feels the mirrored resistance
 
     int n_variables() const
     {
@@ -39,11 +40,19 @@ namespace swimtwin
     Eigen::MatrixXd z, entries;
     Eigen::VectorXd weight;
     Eigen::Index    n; ///< size of the resistance
+    bool            has_mirror = true;
 
     SampleTable rows(const std::vector<int> &which) const
     {
-      return {z(which, Eigen::all), entries(which, Eigen::all), weight(which), n};
+      return {z(which, Eigen::all), entries(which, Eigen::all), weight(which), n, has_mirror};
     }
+  };
+
+  /// Monomials, and entries of C that are polynomials of these alone: those of one parity; all where there is no
+  /// mirror.
+  struct FittedTogether
+  {
+    std::vector<int> features, entries;
   };
 
   /// How a fit is kept small where samples do not tell it: by a weight on its coefficients, and by one on rows beyond
@@ -85,21 +94,22 @@ namespace swimtwin
     void fit_chosen_features(const std::vector<Eigen::MatrixXi> &sets, const SampleTable &table, double nearly);
     void fit_halves(const SampleTable &table);
 
-    SampledRegion                   region_;
-    ReducedResistance               resistance_;
-    FitQuality                      quality_;
-    FitRestraint                    restraint_;
-    SampleTable                     guide_;
-    std::array<std::vector<int>, 2> features_;   ///< even, odd
-    std::array<Eigen::MatrixXd, 2>  covariance_; ///< (A^T A)^-1 of their design matrices
+    SampledRegion                region_;
+    ReducedResistance            resistance_;
+    FitQuality                   quality_;
+    FitRestraint                 restraint_;
+    SampleTable                  guide_;
+    std::vector<FittedTogether>  parts_;
+    std::vector<Eigen::MatrixXd> covariance_; ///< (A^T A)^-1 of their design matrices
   };
 
   /// Effects of the variables from samples at the region's edge on each axis: largest entry of C - 1 there, at least
   /// 1e-4. `rest` and `axis` hold the resistance at rest and at z = e_i.
-  Eigen::VectorXd variable_effects(const Eigen::MatrixXd &rest, const std::vector<Eigen::MatrixXd> &axis);
+  Eigen::VectorXd variable_effects(const Eigen::MatrixXd &rest, const std::vector<Eigen::MatrixXd> &axis,
+                                   bool has_mirror = true);
 
-  /// L_0 of a resistance at rest, with what the mirror forbids taken out. s_i s_j = -1 entries are zero.
-  Eigen::MatrixXd factor_at_rest(const Eigen::MatrixXd &rest);
+  /// L_0 of a resistance at rest, with what the mirror forbids taken out: s_i s_j = -1 entries are zero.
+  Eigen::MatrixXd factor_at_rest(const Eigen::MatrixXd &rest, bool has_mirror = true);
 
   /// Entries of C (row by row, j <= i, diagonal as logarithm) of a resistance: L_0 C C^T L_0^T.
   Eigen::VectorXd factor_entries(const Eigen::MatrixXd &factor_at_rest, const Eigen::MatrixXd &resistance);

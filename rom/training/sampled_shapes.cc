@@ -192,8 +192,11 @@ namespace swimtwin
       place.push_back(region.variables(point).cwiseProduct(effects));
     const auto withdraw_from = [&](const Eigen::VectorXd &centre) {
       for (std::size_t k = 0; k < place.size(); ++k)
-        // The mirror image of a sample is as good as the sample.
-        distance[k] = std::min({distance[k], (place[k] - centre).norm(), (place[k] + centre).norm()});
+      {
+        distance[k] = std::min(distance[k], (place[k] - centre).norm());
+        if (region.has_mirror) // the mirror image of a sample is as good as the sample
+          distance[k] = std::min(distance[k], (place[k] + centre).norm());
+      }
     };
     for (const auto &point : taken)
       withdraw_from(region.variables(point).cwiseProduct(effects));

@@ -1,5 +1,6 @@
 #include <rom/training/training.h>
 
+#include <datasets/scene/mirror_plane.h>
 #include <datasets/system/error.h>
 #include <datasets/system/provenance.h>
 #include <fom/run/run_recorder.h>
@@ -187,7 +188,8 @@ namespace swimtwin
   template <int dim>
   void Training<dim>::choose_region(ShapeSampler &sampler)
   {
-    region_ = region_around(shapes_seen_, options_.shape_margin);
+    region_            = region_around(shapes_seen_, options_.shape_margin);
+    region_.has_mirror = domain_is_mirrored(scene_);
     if (!scene_.domain->moves_with_swimmer)
     {
       const auto few = spread_out(shapes_seen_, {rest_}, region_, Eigen::VectorXd::Ones(region_.n_variables()), 4);
@@ -213,7 +215,7 @@ namespace swimtwin
     std::vector<Eigen::MatrixXd> edge;
     for (std::size_t k = 1; k < at_axis.size(); ++k)
       edge.push_back(at_axis[k].resistance);
-    effects_ = variable_effects(at_axis.front().resistance, edge);
+    effects_ = variable_effects(at_axis.front().resistance, edge, region_.has_mirror);
 
     // A third along the runs, a third to fill the region; then where the reduced swimmer goes and is least sure.
     const int third = options_.n_samples / 3;

@@ -106,6 +106,16 @@ namespace swimtwin
     EXPECT_TRUE(find_mirror_plane(with({"gravity.acceleration_m_s2=[0, -9.81]"})).exists());
   }
 
+  TEST(MirrorPlane, OfADomainIsOnItsAxisBetweenWallsThatAreAlike)
+  {
+    EXPECT_TRUE(domain_is_mirrored(swimmer({}))); // whatever the field does
+    EXPECT_TRUE(domain_is_mirrored(swimmer({"head.angle_rad=0.1"})));
+    EXPECT_TRUE(domain_is_mirrored(beam({})));
+    EXPECT_FALSE(domain_is_mirrored(swimmer({"domain.center_m=[0, 1e-3]"})));
+    EXPECT_TRUE(domain_is_mirrored(swimmer({"domain.center_m=[0, 1e-3]", "head.center_m=[0, 1e-3]"})));
+    EXPECT_FALSE(domain_is_mirrored(swimmer({"domain.walls.top='traction-free'"})));
+  }
+
   TEST(MirrorPlane, AnAlignedFieldHoldsTheSwimmer)
   {
     expect_half(aligned({}));

@@ -75,6 +75,35 @@ namespace swimtwin
         }
   }
 
+  // Off a channel's axis a bend towards the wall is felt more than one away from it.
+  TEST_F(ResistanceFitTest, NeedsNoMirror)
+  {
+    const auto beside_wall = [&](const ShapePoint &point) {
+      const Eigen::VectorXd z = region.variables(point);
+      Eigen::MatrixXd       S = Eigen::MatrixXd::Identity(5, 5);
+      S(1, 1)                 = 1. + .2 * z(0);
+      S(0, 1)                 = .1 + .05 * z(1);
+      return Eigen::MatrixXd(S * resistance(z) * S.transpose());
+    };
+    std::vector<ResistanceSample> all{{rest, beside_wall(rest)}};
+    for (const auto &point : filling_points(region, rest, 300))
+      all.push_back({point, beside_wall(point)});
+    EXPECT_GT(ResistanceFit(all, region, effects).quality().rms, 2e-2);
+
+    region.has_mirror = false;
+    const ResistanceFit       fit(all, region, effects);
+    const ResistanceSurrogate surrogate(fit.resistance(), Eigen::Vector2i(-1, -1));
+    EXPECT_LT(fit.quality().largest, 2e-4);
+    for (const double sign : {1., -1.})
+    {
+      ShapePoint point            = rest;
+      point.q                     = sign * Eigen::Vector2d(6e-4, 3e-5);
+      const Eigen::MatrixXd truth = beside_wall(point);
+      EXPECT_LT((surrogate.resistance(point.q, 0.) - truth).norm(), 1e-4 * truth.norm());
+    }
+    EXPECT_EQ(fit.worst_supported(filling_points(region, rest, 50), 10).size(), 10u);
+  }
+
   TEST_F(ResistanceFitTest, HalvesOfTheSamplesAgreeTheBetterTheMoreThereAre)
   {
     const auto apart = [&](const int n) {
