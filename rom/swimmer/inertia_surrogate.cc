@@ -15,28 +15,75 @@ namespace swimtwin
       const VelocityMatrix half = F_1.lazyProduct(F_2.transpose());
       return half + half.transpose();
     }
+
+    int parity_of_monomial(const Eigen::MatrixXi &exponents, const Eigen::Index row, const Eigen::VectorXi &parity)
+    {
+      int sign = 1;
+      for (Eigen::Index k = 0; k < exponents.cols(); ++k)
+        if (exponents(row, k) % 2 != 0)
+          sign *= parity[k];
+      return sign;
+    }
+
+    /// Whether no term has a monomial of the other parity.
+    bool has_mirror(const ReducedInertia &inertia, const Eigen::VectorXi &parity, const Eigen::VectorXi &of_velocity)
+    {
+      const auto keeps = [&](const Eigen::MatrixXd &coefficients, const Eigen::Index column, const int term) {
+        for (Eigen::Index row = 0; row < coefficients.rows(); ++row)
+          if (coefficients(row, column) != 0. && parity_of_monomial(inertia.exponents, row, parity) != term)
+            return false;
+        return true;
+      };
+      const Eigen::Index n = of_velocity.size(), n_pairs = n * (n + 1) / 2;
+      for (Eigen::Index i = 0, pair = 0; i < n; ++i)
+        for (Eigen::Index j = 0; j <= i; ++j, ++pair)
+        {
+          const int sign = of_velocity[i] * of_velocity[j];
+          for (const auto *material : {&inertia.fluid, &inertia.tail})
+          {
+            if (!keeps(material->mass, pair, sign))
+              return false;
+            for (Eigen::Index force = 0; force < n; ++force)
+              if (!keeps(material->quadratic, force * n_pairs + pair, of_velocity[force] * sign))
+                return false;
+          }
+        }
+      return true;
+    }
+
+    Eigen::VectorXi even_unless(const bool has_mirror, const Eigen::VectorXi &parity)
+    {
+      return has_mirror ? parity : Eigen::VectorXi(Eigen::VectorXi::Ones(parity.size()));
+    }
   } // namespace
 
   InertiaSurrogate::InertiaSurrogate(const ReducedInertia &inertia, const InertialDensities &densities,
                                      const Eigen::VectorXi &parity, const Eigen::VectorXi &velocity_parity)
-      : n_(static_cast<int>(velocity_parity.size())), velocity_parity_(velocity_parity),
-        monomials_(inertia.exponents, parity)
+      : InertiaSurrogate(inertia, densities, parity, velocity_parity, has_mirror(inertia, parity, velocity_parity))
+  {
+  }
+
+  InertiaSurrogate::InertiaSurrogate(const ReducedInertia &inertia, const InertialDensities &densities,
+                                     const Eigen::VectorXi &parity, const Eigen::VectorXi &of_velocity,
+                                     const bool has_mirror)
+      : n_(static_cast<int>(of_velocity.size())), velocity_parity_(even_unless(has_mirror, of_velocity)),
+        monomials_(inertia.exponents, even_unless(has_mirror, parity))
   {
     std::vector<Term> pairs, triples;
     for (int i = 0; i < n_; ++i)
       for (int j = 0; j <= i; ++j)
         pairs.push_back({i, j, -1});
     for (const Term &pair : pairs)
-      pairs_[velocity_parity[pair.i] * velocity_parity[pair.j] > 0 ? 0 : 1].push_back(pair);
+      pairs_[velocity_parity_[pair.i] * velocity_parity_[pair.j] > 0 ? 0 : 1].push_back(pair);
     for (int i = 0; i < n_; ++i)
       for (const Term &pair : pairs)
         triples.push_back({i, pair.i, pair.j});
-    masses_                   = {mass_of(inertia.fluid, densities.fluid_kg_m3, pairs, velocity_parity),
-                                 mass_of(inertia.tail, densities.tail_kg_m3, pairs, velocity_parity)};
+    masses_                   = {mass_of(inertia.fluid, densities.fluid_kg_m3, pairs),
+                                 mass_of(inertia.tail, densities.tail_kg_m3, pairs)};
     Eigen::MatrixXd quadratic = monomials_.in_order(densities.fluid_kg_m3 * inertia.fluid.quadratic +
                                                     densities.tail_kg_m3 * inertia.tail.quadratic);
     set_head(inertia, densities.head_kg_m3, quadratic);
-    quadratic_ = order(quadratic, triples, velocity_parity);
+    quadratic_ = order(quadratic, triples);
   }
 
   /// About its own centre: M = diag(m, m, I), and m omega x U in its frame.
@@ -53,11 +100,10 @@ namespace swimtwin
   }
 
   InertiaSurrogate::Polynomials InertiaSurrogate::order(const Eigen::MatrixXd   &coefficients,
-                                                        const std::vector<Term> &terms,
-                                                        const Eigen::VectorXi   &velocity_parity) const
+                                                        const std::vector<Term> &terms) const
   {
     const auto is_even = [&](const Term &t) {
-      return velocity_parity[t.i] * velocity_parity[t.j] * (t.k < 0 ? 1 : velocity_parity[t.k]) > 0;
+      return velocity_parity_[t.i] * velocity_parity_[t.j] * (t.k < 0 ? 1 : velocity_parity_[t.k]) > 0;
     };
     std::vector<Eigen::Index> columns; // of the coefficients, even ones first
     Polynomials               result;
@@ -78,11 +124,10 @@ namespace swimtwin
   }
 
   InertiaSurrogate::Mass InertiaSurrogate::mass_of(const InertiaPolynomials &material, const double density,
-                                                   const std::vector<Term> &pairs,
-                                                   const Eigen::VectorXi   &velocity_parity) const
+                                                   const std::vector<Term> &pairs) const
   {
     const Eigen::MatrixXd coefficients = monomials_.in_order(material.mass);
-    Mass                  result{density, material.factor_at_rest, order(coefficients, pairs, velocity_parity), {}};
+    Mass                  result{density, material.factor_at_rest, order(coefficients, pairs), {}};
     const auto            n_terms = static_cast<Eigen::Index>(pairs.size());
     result.gradient.assign(static_cast<std::size_t>(monomials_.n_coordinates()),
                            Eigen::MatrixXd::Zero(n_terms, monomials_.size()));

@@ -40,7 +40,8 @@ namespace swimtwin
   {
   public:
     InertiaSurrogate() = default;
-    /// `parity` of the variables z and of the velocities.
+    /// `parity` of the variables z and of the velocities. Where the coefficients keep them, only half of them are ever
+    /// touched.
     InertiaSurrogate(const ReducedInertia &inertia, const InertialDensities &densities, const Eigen::VectorXi &parity,
                      const Eigen::VectorXi &velocity_parity);
 
@@ -56,12 +57,16 @@ namespace swimtwin
     VelocityMatrix mass(const Eigen::VectorXd &z) const;
 
   private:
+    InertiaSurrogate(const ReducedInertia &inertia, const InertialDensities &densities, const Eigen::VectorXi &parity,
+                     const Eigen::VectorXi &of_velocity, bool has_mirror);
+
     /// xi_j xi_k in force i, or entry (i, j) of M.
     struct Term
     {
       int i, j, k;
     };
-    /// Polynomials of some terms, even ones first: each of them has monomials of its own parity alone.
+    /// Polynomials of some terms, even ones first: each of them has monomials of its own parity alone. Without a mirror
+    /// all count as even.
     struct Polynomials
     {
       std::vector<Term> terms;
@@ -81,10 +86,8 @@ namespace swimtwin
     };
 
     /// `coefficients`: a row per monomial as the table has them, a column per term.
-    Polynomials order(const Eigen::MatrixXd &coefficients, const std::vector<Term> &terms,
-                      const Eigen::VectorXi &velocity_parity) const;
-    Mass        mass_of(const InertiaPolynomials &material, double density, const std::vector<Term> &pairs,
-                        const Eigen::VectorXi &velocity_parity) const;
+    Polynomials order(const Eigen::MatrixXd &coefficients, const std::vector<Term> &terms) const;
+    Mass        mass_of(const InertiaPolynomials &material, double density, const std::vector<Term> &pairs) const;
     void        set_head(const ReducedInertia &inertia, double density, Eigen::MatrixXd &quadratic);
     void        set_masses(InertiaValues &result) const;
     void        set_force(const VelocityVector &velocity, InertiaValues &result) const;

@@ -19,10 +19,10 @@ namespace swimtwin
 {
   namespace
   {
-    SampledRegion region_of(const ReducedResistance &resistance)
+    SampledRegion region_of(const ReducedResistance &resistance, const bool has_mirror)
     {
       return {resistance.coordinate_scale_m, resistance.depends_on_angle, resistance.angle_scale_rad,
-              resistance.depends_on_height, resistance.height_scale_m};
+              resistance.depends_on_height,  resistance.height_scale_m,   has_mirror};
     }
 
     std::vector<ShapePoint> points_to_sample(const std::vector<ExploredPoint> &seen, const SampledRegion &region,
@@ -63,7 +63,7 @@ namespace swimtwin
     }
 
     /// Samples as a table: a row of values each, the entries of M's factor first, and for each column whether it is
-    /// odd.
+    /// odd; empty where no mirror tells parities.
     struct InertiaTable
     {
       Eigen::MatrixXd   z, values;
@@ -107,7 +107,7 @@ namespace swimtwin
     InertiaTable table_of(const InertiaSamples &samples, const std::vector<InertiaSample> &material,
                           const SampledRegion &region, const Eigen::MatrixXd &L)
     {
-      const Eigen::MatrixXd L_mass = factor_at_rest(material.front().mass);
+      const Eigen::MatrixXd L_mass = factor_at_rest(material.front().mass, region.has_mirror);
       const auto            m      = static_cast<Eigen::Index>(samples.points.size());
       const Eigen::Index    n = L.rows(), n_pairs = n * (n + 1) / 2;
       InertiaTable          table{Eigen::MatrixXd(m, region.n_variables()),
@@ -123,7 +123,7 @@ namespace swimtwin
         table.values.row(k) << factor_entries(L_mass, material[at].mass).transpose(),
             by_rows(in_units_of(L, material[at].quadratic)).transpose();
       }
-      for (int i = -1; i < n; ++i)
+      for (int i = -1; i < n && region.has_mirror; ++i)
         for (int j = 0; j < n; ++j)
           for (int k = 0; k <= j; ++k)
             table.is_odd.push_back((i < 0 ? 1 : velocity_parity(i)) * velocity_parity(j) * velocity_parity(k) < 0);
@@ -132,19 +132,23 @@ namespace swimtwin
 
     Eigen::MatrixXd fit(const Eigen::MatrixXi &exponents, const InertiaTable &table)
     {
-      const Eigen::MatrixXd A = table.weight.asDiagonal() * design(exponents, table.z);
-      Eigen::MatrixXd       c = Eigen::MatrixXd::Zero(exponents.rows(), table.values.cols());
-      for (const int odd : {0, 1})
+      const Eigen::MatrixXd A            = table.weight.asDiagonal() * design(exponents, table.z);
+      Eigen::MatrixXd       c            = Eigen::MatrixXd::Zero(exponents.rows(), table.values.cols());
+      const auto            fit_together = [&](const std::vector<int> &features, const std::vector<int> &columns) {
+        const Eigen::MatrixXd rows = with_ridge(A(Eigen::all, features), table.weight);
+        Eigen::MatrixXd       data = Eigen::MatrixXd::Zero(rows.rows(), static_cast<Eigen::Index>(columns.size()));
+        data.topRows(A.rows()) = table.weight.asDiagonal() * table.values(Eigen::all, columns);
+        c(features, columns)   = solve_by_plain_qr(rows, data);
+      };
+      if (table.is_odd.empty())
+        fit_together(counted(exponents.rows()), counted(table.values.cols()));
+      for (int odd = 0; odd < 2 && !table.is_odd.empty(); ++odd)
       {
-        const auto       features = of_parity(exponents, odd);
         std::vector<int> columns;
         for (int k = 0; k < static_cast<int>(table.is_odd.size()); ++k)
           if (table.is_odd[static_cast<std::size_t>(k)] == odd)
             columns.push_back(k);
-        const Eigen::MatrixXd rows = with_ridge(A(Eigen::all, features), table.weight);
-        Eigen::MatrixXd       data = Eigen::MatrixXd::Zero(rows.rows(), static_cast<Eigen::Index>(columns.size()));
-        data.topRows(A.rows())     = table.weight.asDiagonal() * table.values(Eigen::all, columns);
-        c(features, columns)       = solve_by_plain_qr(rows, data);
+        fit_together(of_parity(exponents, odd), columns);
       }
       return c;
     }
@@ -205,12 +209,13 @@ namespace swimtwin
     }
 
     InertiaPolynomials polynomials_of(const Eigen::MatrixXi &exponents, const InertiaTable &table,
-                                      const Eigen::MatrixXd &mass_at_rest, const Eigen::MatrixXd &L)
+                                      const Eigen::MatrixXd &mass_at_rest, const Eigen::MatrixXd &L,
+                                      const bool has_mirror)
     {
       const Eigen::MatrixXd c = fit(exponents, table);
       const Eigen::Index    n = L.rows(), n_pairs = n * (n + 1) / 2;
       const Eigen::MatrixXd out_of_L = solve_lower<Eigen::MatrixXd>(L, Eigen::MatrixXd::Identity(n, n));
-      InertiaPolynomials    result{factor_at_rest(mass_at_rest), c.leftCols(n_pairs),
+      InertiaPolynomials    result{factor_at_rest(mass_at_rest, has_mirror), c.leftCols(n_pairs),
                                 Eigen::MatrixXd(c.rows(), n * n_pairs)};
       for (Eigen::Index f = 0; f < c.rows(); ++f) // a row of coefficients is linear in the samples like a sample
       {
@@ -224,7 +229,7 @@ namespace swimtwin
   TrainedInertia train_inertia(const ReducedModel &model, const Scene &scene, const int n_samples,
                                const MPI_Comm communicator, const std::function<void(int, int)> &on_progress)
   {
-    const SampledRegion          region = region_of(model.resistance);
+    const SampledRegion          region = region_of(model.resistance, domain_is_mirrored(scene));
     const ShapePoint             rest{Eigen::VectorXd::Zero(model.n_modes()), 0., 0., 0.};
     const auto                   seen    = explore(model, spread_members(model.range, 40, 400), rest);
     const auto                   points  = points_to_sample(seen, region, rest, n_samples);
@@ -235,20 +240,20 @@ namespace swimtwin
     std::vector<Eigen::MatrixXd> edge;
     for (int k = 1; k <= region.n_variables(); ++k)
       edge.push_back(samples.fluid.at(static_cast<std::size_t>(k)).mass);
-    const Eigen::VectorXd effects = variable_effects(samples.fluid.front().mass, edge);
+    const Eigen::VectorXd effects = variable_effects(samples.fluid.front().mass, edge, region.has_mirror);
     const InertiaTable    fluid   = table_of(samples, samples.fluid, region, L),
                        tail       = table_of(samples, samples.tail, region, L);
     const auto [exponents, quality] =
-        choose_features(feature_sets(effects, fluid.z.rows()), fluid, usual_powers(seen, L));
+        choose_features(feature_sets(effects, fluid.z.rows(), region.has_mirror), fluid, usual_powers(seen, L));
 
     TrainedInertia result;
     result.n_samples       = static_cast<int>(samples.points.size());
     result.mass_error      = quality.mass;
     result.quadratic_error = quality.quadratic;
     result.power_defect    = samples.largest_power_defect;
-    result.inertia         = {exponents, polynomials_of(exponents, fluid, samples.fluid.front().mass, L),
-                              polynomials_of(exponents, tail, samples.tail.front().mass, L), scene.head.volume(scene.dimension),
-                              scene.head.second_moment(scene.dimension)};
+    result.inertia = {exponents, polynomials_of(exponents, fluid, samples.fluid.front().mass, L, region.has_mirror),
+                      polynomials_of(exponents, tail, samples.tail.front().mass, L, region.has_mirror),
+                      scene.head.volume(scene.dimension), scene.head.second_moment(scene.dimension)};
     return result;
   }
 
@@ -265,7 +270,7 @@ namespace swimtwin
                    const std::function<void(int, int)> &on_progress)
   {
     const int n_samples = std::clamp(model.record.n_resistance_samples / 4, 40, 400);
-    if (domain_is_mirrored(scene) && inertia_terms(scene, largest_shares(scene, model.range)).any())
+    if (inertia_terms(scene, largest_shares(scene, model.range)).any())
       model.inertia = train_inertia(model, scene, n_samples, communicator, on_progress).inertia;
   }
 
@@ -280,8 +285,7 @@ namespace swimtwin
                      group)
                : fmt::format(
                      "Inertia of fluid and solid: the unsteady group 2 pi rho f L^2 / mu is up to {:.2g}; with the "
-                     "stiffest tail {} is missing there{}.",
-                     group, share_of_displacement(largest_shares(scene, range).together()),
-                     domain_is_mirrored(scene) ? "" : " (it is carried on the axis of a domain alone)");
+                     "stiffest tail {} is missing there.",
+                     group, share_of_displacement(largest_shares(scene, range).together()));
   }
 } // namespace swimtwin

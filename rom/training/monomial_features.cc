@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 namespace swimtwin
 {
@@ -46,6 +47,13 @@ namespace swimtwin
         values(k) *= power[exponents(k, i)];
     }
     return values;
+  }
+
+  std::vector<int> counted(const Eigen::Index n)
+  {
+    std::vector<int> all(static_cast<std::size_t>(n));
+    std::iota(all.begin(), all.end(), 0);
+    return all;
   }
 
   std::vector<int> of_parity(const Eigen::MatrixXi &exponents, const int odd)

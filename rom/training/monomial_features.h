@@ -11,6 +11,9 @@ namespace swimtwin
   /// Their values at many points, one row each.
   Eigen::MatrixXd design(const Eigen::MatrixXi &exponents, const Eigen::MatrixXd &z);
 
+  /// 0, 1, ... n - 1: all rows, or columns.
+  std::vector<int> counted(Eigen::Index n);
+
   /// Rows of one parity. Every variable is odd, so the parity of a monomial is that of its degree.
   std::vector<int> of_parity(const Eigen::MatrixXi &exponents, int odd);
 

@@ -78,10 +78,7 @@ namespace swimtwin
       if (table.has_mirror)
         return {{of_parity(exponents, 0), entries_of_parity(table.n, 0)},
                 {of_parity(exponents, 1), entries_of_parity(table.n, 1)}};
-      FittedTogether all{std::vector<int>(exponents.rows()), std::vector<int>(table.n * (table.n + 1) / 2)};
-      std::iota(all.features.begin(), all.features.end(), 0);
-      std::iota(all.entries.begin(), all.entries.end(), 0);
-      return {all};
+      return {{counted(exponents.rows()), counted(table.entries.cols())}};
     }
 
     Eigen::MatrixXd fit_coefficients(const Eigen::MatrixXi &exponents, const SampleTable &table, const double ridge)

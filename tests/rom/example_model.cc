@@ -156,6 +156,13 @@ namespace swimtwin
       return exponents;
     }
 
+    /// So that no polynomial keeps a mirror.
+    void set_even(Eigen::VectorXi &coordinates, Eigen::VectorXi &velocities)
+    {
+      coordinates.setOnes();
+      velocities.setOnes();
+    }
+
     int parity_of(const Eigen::RowVectorXi &exponents, const Eigen::VectorXi &parity)
     {
       int product = 1;
@@ -165,7 +172,8 @@ namespace swimtwin
       return product;
     }
 
-    ReducedResistance make_resistance(const ReducedTail &tail, const bool depends_on_angle, RandomNumbers &random)
+    ReducedResistance make_resistance(const ReducedTail &tail, const bool depends_on_angle, const bool has_mirror,
+                                      RandomNumbers &random)
     {
       const int         r = tail.n_coordinates(), n = r + 3;
       ReducedResistance resistance;
@@ -178,6 +186,8 @@ namespace swimtwin
       coordinate_parity.setConstant(-1);
       coordinate_parity.head(r) = tail.parity.head(r);
       velocity_parity << 1, -1, -1, tail.parity.head(r);
+      if (!has_mirror)
+        set_even(coordinate_parity, velocity_parity);
       resistance.coefficients = Eigen::MatrixXd::Zero(resistance.exponents.rows(), n * (n + 1) / 2);
       for (Eigen::Index f = 0; f < resistance.exponents.rows(); ++f)
         for (int i = 0; i < n; ++i)
@@ -289,7 +299,7 @@ namespace swimtwin
       return result;
     }
 
-    void add_inertia(ReducedModel &model)
+    void add_inertia(ReducedModel &model, const bool has_mirror)
     {
       RandomNumbers         random(17);
       const Eigen::Index    r = model.n_modes(), n_pose = model.resistance.n_pose_coordinates();
@@ -297,6 +307,8 @@ namespace swimtwin
       Eigen::VectorXi       coordinates(r + n_pose), velocities(r + 3);
       coordinates << parity, Eigen::VectorXi::Constant(n_pose, -1);
       velocities << 1, -1, -1, parity;
+      if (!has_mirror)
+        set_even(coordinates, velocities);
       auto &inertia     = model.inertia;
       inertia.exponents = cubic_exponents(static_cast<int>(coordinates.size()));
       inertia.fluid = inertia_of_material(model.resistance, inertia.exponents, coordinates, velocities, 6e-6, random);
@@ -362,13 +374,13 @@ namespace swimtwin
     for (int k = 0; k < model.tail.n_amplitudes() && options.magnetic_tail; ++k)
       model.magnet.tail_area_of_mode_m(model.tail.parity[k] > 0 ? 0 : 1, k) = 1e-3 * random();
     model.area       = make_area(model.tail.parity, options.keeps_area, random);
-    model.resistance = make_resistance(model.tail, options.depends_on_angle, random);
+    model.resistance = make_resistance(model.tail, options.depends_on_angle, options.has_mirror, random);
     if (options.depends_on_height)
       add_height(model.tail.parity, model.resistance);
     if (options.is_bent)
       bend(model, options.n_modes);
     if (options.has_inertia)
-      add_inertia(model);
+      add_inertia(model, options.has_mirror);
     model.range      = make_range();
     model.record     = make_record();
     model.scene_name = "example";

@@ -17,6 +17,7 @@ namespace swimtwin
     bool magnetic_tail     = true;
     bool depends_on_height = false;
     bool has_inertia       = false;
+    bool has_mirror        = true;  ///< of resistance and inertia; false: as off a channel's axis
     bool is_bent           = false; ///< shapes and energy are polynomials of bending coordinates; no followers
   };
 
