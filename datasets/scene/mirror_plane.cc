@@ -135,7 +135,16 @@ namespace swimtwin
 
   bool domain_is_mirrored(const Scene &scene)
   {
-    return !scene.domain || (!is_off_axis(scene) && asymmetric_wall(*scene.domain).empty());
+    if (!scene.domain)
+      return true;
+    const Domain &domain = *scene.domain;
+    if (!domain.moves_with_swimmer)
+      return !is_off_axis(scene) && asymmetric_wall(domain).empty();
+    // It keeps its place in the head's frame.
+    const double x = domain.center_m[0] - scene.head.center_m[0], y = domain.center_m[1] - scene.head.center_m[1],
+                 angle         = scene.head.angle_rad;
+    constexpr double round_off = 1e-9;
+    return std::abs(y * std::cos(angle) - x * std::sin(angle)) <= round_off * scene.body_length_m();
   }
 
   MirrorPlane find_mirror_plane(const Scene &scene)

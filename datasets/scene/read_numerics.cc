@@ -75,7 +75,10 @@ namespace swimtwin
     read_choice(table, "coupling", numerics.coupling);
     table.number("coupling_tolerance", optional("", tolerance_range), numerics.coupling_tolerance);
     if (numerics.coupling == CouplingScheme::fixed_point)
+    {
       numerics.max_coupling_iterations = 200;
+      numerics.reuse_factorization     = false; // the baseline's factors are made anew
+    }
     table.integer("max_coupling_iterations", optional("", at_least_one), numerics.max_coupling_iterations);
     read_choice(table, "acceleration", numerics.acceleration);
     table.number("relaxation", optional("", relaxation_range), numerics.relaxation);

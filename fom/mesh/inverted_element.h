@@ -21,7 +21,7 @@ namespace swimtwin
   template <int dim>
   void refuse_inverted_elements(const SimplexMesh<dim> &mesh, const std::string &name);
 
-  /// The mesh that `make` makes with its argument times the wanted sizes off the surface: 1, or a little less where an
+  /// The mesh that `make` makes with its argument times the wanted sizes: 1, or a little less where an
   /// element is inside out, since beside a curved surface that is a matter of where the mesher happens to put its
   /// nodes. Throws the first InvertedElement if none is right.
   template <typename Make>
@@ -39,7 +39,7 @@ namespace swimtwin
         {
           return make(factor);
         }
-        catch (const InvertedElement &)
+        catch (const ComputationError &)
         {
         }
       throw;

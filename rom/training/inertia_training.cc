@@ -269,7 +269,8 @@ namespace swimtwin
   void add_inertia(ReducedModel &model, const Scene &scene, const MPI_Comm communicator,
                    const std::function<void(int, int)> &on_progress)
   {
-    const int n_samples = std::clamp(model.record.n_resistance_samples / 4, 40, 400);
+    const int share     = domain_is_mirrored(scene) ? 4 : 2; // twice as many coefficients of each without a mirror
+    const int n_samples = std::clamp(model.record.n_resistance_samples / share, 40, 400);
     if (inertia_terms(scene, largest_shares(scene, model.range)).any())
       model.inertia = train_inertia(model, scene, n_samples, communicator, on_progress).inertia;
   }

@@ -23,19 +23,28 @@ namespace swimtwin
       const auto samples = sampler.sample({from, to});
       return samples.size() == 2 ? relative_change(samples[0].resistance, samples[1].resistance) : 0.;
     };
+    // Without a mirror both ways count, and a pose that cannot be, in a wall, says that the wall is felt.
+    const auto change_to_and_fro = [&](const ShapePoint &from, const ShapePoint &to, const ShapePoint &opposite) {
+      if (region.has_mirror)
+        return change(from, to);
+      const bool is_near_wall = !sampler.sample({from}).empty() && sampler.sample({from, to, opposite}).size() < 3;
+      return is_near_wall ? 1. : std::max(change(from, to), change(from, opposite));
+    };
     for (const auto &shape : shapes)
     {
-      ShapePoint straight  = rest;
-      straight.q           = shape.q;
-      ShapePoint turned    = straight;
-      turned.angle_rad     = region.angle_scale_rad;
-      dependence.on_angle  = std::max(dependence.on_angle, change(straight, turned));
-      ShapePoint along     = straight;
-      along.drift_x_m      = -reach_m[0]; // head first
-      dependence.on_way    = std::max(dependence.on_way, change(straight, along));
-      ShapePoint above     = straight;
+      ShapePoint straight = rest;
+      straight.q          = shape.q;
+      ShapePoint turned = straight, turned_back = straight;
+      turned.angle_rad      = region.angle_scale_rad;
+      turned_back.angle_rad = -region.angle_scale_rad;
+      dependence.on_angle   = std::max(dependence.on_angle, change_to_and_fro(straight, turned, turned_back));
+      ShapePoint along      = straight;
+      along.drift_x_m       = -reach_m[0]; // head first
+      dependence.on_way     = std::max(dependence.on_way, change(straight, along));
+      ShapePoint above = straight, below = straight;
       above.drift_y_m      = reach_m[1];
-      dependence.on_height = std::max(dependence.on_height, change(straight, above));
+      below.drift_y_m      = -reach_m[1];
+      dependence.on_height = std::max(dependence.on_height, change_to_and_fro(straight, above, below));
     }
     return dependence;
   }

@@ -270,8 +270,8 @@ namespace swimtwin
     }
   }
 
-  /// Coarse fits first; the best of those that are sound guides finer ones. Of all that are sound the smallest that is
-  /// nearly as good as the best.
+  /// Coarse fits first; the best of those that are sound by a margin guides finer ones, which are on their own if there
+  /// is none. Of all that are sound the smallest that is nearly as good as the best.
   void ResistanceFit::fit_chosen_features(const std::vector<Eigen::MatrixXi> &sets, const SampleTable &table,
                                           const double nearly)
   {
@@ -290,7 +290,10 @@ namespace swimtwin
 
     std::vector<Candidate> candidates;
     const auto             add = [&](const std::size_t set, const FitRestraint &restraint) {
-      candidates.push_back({set, restraint, cross_validate(sets[set], table, guide_, restraint)});
+      FitQuality quality = cross_validate(sets[set], table, guide_, restraint);
+      if (!std::isfinite(quality.rms))
+        quality.rms = std::numeric_limits<double>::max();
+      candidates.push_back({set, restraint, quality});
     };
     const auto is_within = [&](const Candidate &candidate, const double condition) {
       quality_                 = candidate.quality;
@@ -305,22 +308,31 @@ namespace swimtwin
       return std::find_if(candidates.begin(), candidates.end(),
                           [&](const Candidate &candidate) { return is_within(candidate, condition); });
     };
-    for (std::size_t i = 0; i < sets.size() && (i == 0 || sets[i].rows() <= most_of_coarse); ++i)
+    const auto add_with_ridges = [&](const std::size_t set) {
       for (const double ridge : {smallest_ridge, 1e-3, 3e-3, 1e-2})
-        add(i, {ridge, 0.});
-    auto best = fit_best_within(share_of_guide * bound);
+        add(set, {ridge, 0.});
+    };
+    std::size_t n_coarse = 0;
+    for (; n_coarse < sets.size() && (n_coarse == 0 || sets[n_coarse].rows() <= most_of_coarse); ++n_coarse)
+      add_with_ridges(n_coarse);
+    if (const auto guiding = fit_best_within(share_of_guide * bound); guiding != candidates.end())
+    {
+      guide_.entries = design(resistance_.exponents, guide_.z) * resistance_.coefficients;
+      for (std::size_t i = guiding->set; i < sets.size(); ++i) // read once: `add` moves the candidates
+        for (const double guidance : {1e-3, 1e-2, 1e-1})
+          add(i, {smallest_ridge, guidance});
+    }
+    else
+      for (std::size_t i = n_coarse; i < sets.size(); ++i)
+        add_with_ridges(i);
+    const auto best = fit_best_within(bound);
     if (best == candidates.end())
     {
-      std::iter_swap(candidates.begin(), std::min_element(candidates.begin(), candidates.end(),
-                                                          [](const auto &a, const auto &b) { return a.set < b.set; }));
-      is_within(candidates.front(), bound); // the fewest monomials
+      is_within(*std::min_element(candidates.begin(), candidates.end(),
+                                  [](const auto &a, const auto &b) { return a.set < b.set; }),
+                bound); // the fewest monomials
       return;
     }
-    guide_.entries = design(resistance_.exponents, guide_.z) * resistance_.coefficients;
-    for (std::size_t i = best->set; i < sets.size(); ++i)
-      for (const double guidance : {1e-3, 1e-2, 1e-1})
-        add(i, {smallest_ridge, guidance});
-    best                = fit_best_within(bound);
     const double enough = nearly * best->quality.rms;
     std::stable_sort(candidates.begin(), candidates.end(), [](const auto &a, const auto &b) { return a.set < b.set; });
     std::find_if(candidates.begin(), candidates.end(), [&](const Candidate &candidate) {

@@ -1,4 +1,5 @@
-// Fit of the resistance surrogate to samples: log-Cholesky polynomials with the mirror's parity built in.
+// Fit of the resistance surrogate to samples: log-Cholesky polynomials with the mirror's parity, where there is one,
+// built in.
 #pragma once
 
 #include <datasets/reduced/reduced_model.h>
@@ -39,7 +40,7 @@ namespace swimtwin
   {
     Eigen::MatrixXd z, entries;
     Eigen::VectorXd weight;
-    Eigen::Index    n; ///< size of the resistance
+    Eigen::Index    n          = 0; ///< size of the resistance
     bool            has_mirror = true;
 
     SampleTable rows(const std::vector<int> &which) const

@@ -22,6 +22,14 @@ namespace swimtwin
   {
     /// A part of the pose that changes displacements by less than this share is left out.
     constexpr double negligible = 2e-3;
+
+    ShapePoint times(const double factor, ShapePoint point)
+    {
+      point.q *= factor;
+      point.angle_rad *= factor;
+      point.drift_y_m *= factor;
+      return point;
+    }
   } // namespace
 
   template <int dim>
@@ -207,15 +215,7 @@ namespace swimtwin
   template <int dim>
   void Training<dim>::sample_resistance(ShapeSampler &sampler)
   {
-    const auto axis    = axis_points(region_, rest_);
-    const auto at_axis = sampler.sample(axis);
-    if (at_axis.size() != axis.size())
-      throw ComputationError("the tail touches itself or a wall at the edge of the region of shapes: narrow the range "
-                             "(a stiffer tail, a weaker field) or lower --modes");
-    std::vector<Eigen::MatrixXd> edge;
-    for (std::size_t k = 1; k < at_axis.size(); ++k)
-      edge.push_back(at_axis[k].resistance);
-    effects_ = variable_effects(at_axis.front().resistance, edge, region_.has_mirror);
+    const std::vector<ShapePoint> axis = sample_edge(sampler);
 
     // A third along the runs, a third to fill the region; then where the reduced swimmer goes and is least sure.
     const int third = options_.n_samples / 3;
@@ -228,6 +228,42 @@ namespace swimtwin
     constexpr int n_rounds = 3;
     for (int round = 0; round < n_rounds; ++round)
       explore_and_fit(third / n_rounds);
+  }
+
+  /// Rest, and the region's edge in every variable: one end, whose mirror image the other is, else those of both ends
+  /// that can be. Where the tail would touch itself or a wall there, a place nearer to rest that can be stands for it.
+  /// Says what the variables change at the edge.
+  template <int dim>
+  std::vector<ShapePoint> Training<dim>::sample_edge(ShapeSampler &sampler)
+  {
+    const std::vector<ShapePoint> edge = axis_points(region_, rest_);
+    std::vector<ShapePoint>       points{rest_};
+    effects_           = Eigen::VectorXd::Zero(region_.n_variables());
+    const auto add_end = [&](const Eigen::Index variable, const ShapePoint &end) {
+      for (const double share : {1., .8, .6})
+      {
+        const ShapePoint place   = times(share, end);
+        const auto       samples = sampler.sample({rest_, place});
+        if (samples.size() < 2)
+          continue;
+        const double effect =
+            variable_effects(samples[0].resistance, {samples[1].resistance}, region_.has_mirror).maxCoeff();
+        effects_(variable) = std::max(effects_(variable), effect / share);
+        points.push_back(place);
+        return;
+      }
+    };
+    for (Eigen::Index k = 0; k < effects_.size(); ++k)
+    {
+      const ShapePoint &end = edge[static_cast<std::size_t>(k) + 1];
+      add_end(k, end);
+      if (!region_.has_mirror)
+        add_end(k, times(-1., end));
+      if (effects_(k) == 0.)
+        throw ComputationError("the tail touches itself or a wall at the edge of the region of shapes: narrow the "
+                               "range (a stiffer tail, a weaker field) or lower --modes");
+    }
+    return points;
   }
 
   /// n more samples where the reduced swimmer goes and the fit is least sure.

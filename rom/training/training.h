@@ -56,6 +56,7 @@ namespace swimtwin
     void                     choose_region(ShapeSampler &sampler);
     double                   share_of_displacement(double change) const;
     void                     sample_resistance(ShapeSampler &sampler);
+    std::vector<ShapePoint>  sample_edge(ShapeSampler &sampler);
     void                     explore_and_fit(int n);
     void                     fit(ShapeSampler &sampler, const std::vector<ShapePoint> &points);
     void                     hold_out_samples(ShapeSampler &sampler);

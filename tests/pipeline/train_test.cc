@@ -108,24 +108,25 @@ namespace swimtwin
                                                        "[limits]\nmagnitude_T = 7e-3\n[search]\nstarts = 0\n"
                                                        "max_evaluations = 20\ngradient_free_budget = 0\n");
     const Outcome     outcome =
-        run_tool({"optimize", first, goal, "--refine", "1", "--refine-target", "0.0001%", "--inertia", "none",
+        run_tool({"optimize", first, goal, "--refine", "2", "--refine-target", "0.0001%", "--inertia", "none",
                   "--replay-periods", "2", "--replay-steps", "80", "--no-picture", "--output", results});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_NE(outcome.err.find("after 1 of 1 refinements the models differ by"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("after 2 of 2 refinements the models differ by"), std::string::npos) << outcome.err;
     const Json plan = read_json_file(folder.path / "plan" / "plan.json", "the plan", "");
-    ASSERT_EQ(plan.at("refinement").size(), 2u);
-    const std::string refined = folder.path / "plan" / "refined-1" / "model.h5";
+    ASSERT_EQ(plan.at("refinement").size(), 3u);
+    const std::string refined = folder.path / "plan" / "refined-2" / "model.h5";
     EXPECT_EQ(plan.at("model_file"), refined);
-    EXPECT_EQ(plan.at("refinement")[1].at("model_file"), refined);
-    EXPECT_LT(plan.at("refinement")[1].at("difference"), plan.at("refinement")[0].at("difference"));
+    EXPECT_EQ(plan.at("refinement")[2].at("model_file"), refined);
+    // Two modes are some 1 % off, and the first round may move the plan by as much.
+    EXPECT_LT(plan.at("refinement")[2].at("difference"), plan.at("refinement")[0].at("difference"));
 
     const TrainingRecord before = read_reduced_model(first).record, after = read_reduced_model(refined).record;
     EXPECT_GT(after.n_snapshots, before.n_snapshots);
     ASSERT_EQ(after.held_out_runs.size(), 1u);
     EXPECT_EQ(after.held_out_runs[0].displacement_m, before.held_out_runs[0].displacement_m);
     EXPECT_NE(after.held_out_runs[0].reduced_displacement_m, before.held_out_runs[0].reduced_displacement_m);
-    EXPECT_FALSE(std::filesystem::exists(folder.path / "plan" / "refined-1" / "held-out"));
-    EXPECT_TRUE(std::filesystem::exists(folder.path / "plan" / "refined-1" / "shapes" / "2.h5"));
+    EXPECT_FALSE(std::filesystem::exists(folder.path / "plan" / "refined-2" / "held-out"));
+    EXPECT_TRUE(std::filesystem::exists(folder.path / "plan" / "refined-2" / "shapes" / "4.h5"));
   }
 
   TEST(Train, RefusesWhatTheReducedSwimmerCannotBe)
