@@ -16,38 +16,30 @@ namespace swimtwin
       return half + half.transpose();
     }
 
-    int parity_of_monomial(const Eigen::MatrixXi &exponents, const Eigen::Index row, const Eigen::VectorXi &parity)
-    {
-      int sign = 1;
-      for (Eigen::Index k = 0; k < exponents.cols(); ++k)
-        if (exponents(row, k) % 2 != 0)
-          sign *= parity[k];
-      return sign;
-    }
-
     /// Whether no term has a monomial of the other parity.
     bool has_mirror(const ReducedInertia &inertia, const Eigen::VectorXi &parity, const Eigen::VectorXi &of_velocity)
     {
-      const auto keeps = [&](const Eigen::MatrixXd &coefficients, const Eigen::Index column, const int term) {
-        for (Eigen::Index row = 0; row < coefficients.rows(); ++row)
-          if (coefficients(row, column) != 0. && parity_of_monomial(inertia.exponents, row, parity) != term)
-            return false;
-        return true;
+      const MonomialTable monomials(inertia.exponents, parity);
+      const auto          keeps = [&](const auto &in_order, const int term) {
+        return (term > 0 ? in_order.tail(monomials.size() - monomials.n_even()) : in_order.head(monomials.n_even()))
+            .isZero(0.);
       };
       const Eigen::Index n = of_velocity.size(), n_pairs = n * (n + 1) / 2;
-      for (Eigen::Index i = 0, pair = 0; i < n; ++i)
-        for (Eigen::Index j = 0; j <= i; ++j, ++pair)
-        {
-          const int sign = of_velocity[i] * of_velocity[j];
-          for (const auto *material : {&inertia.fluid, &inertia.tail})
+      for (const auto *material : {&inertia.fluid, &inertia.tail})
+      {
+        const Eigen::MatrixXd mass      = monomials.in_order(material->mass),
+                              quadratic = monomials.in_order(material->quadratic);
+        for (Eigen::Index i = 0, pair = 0; i < n; ++i)
+          for (Eigen::Index j = 0; j <= i; ++j, ++pair)
           {
-            if (!keeps(material->mass, pair, sign))
+            const int sign = of_velocity[i] * of_velocity[j];
+            if (!keeps(mass.col(pair), sign))
               return false;
             for (Eigen::Index force = 0; force < n; ++force)
-              if (!keeps(material->quadratic, force * n_pairs + pair, of_velocity[force] * sign))
+              if (!keeps(quadratic.col(force * n_pairs + pair), of_velocity[force] * sign))
                 return false;
           }
-        }
+      }
       return true;
     }
 

@@ -27,8 +27,15 @@ namespace swimtwin
     const auto change_to_and_fro = [&](const ShapePoint &from, const ShapePoint &to, const ShapePoint &opposite) {
       if (region.has_mirror)
         return change(from, to);
-      const bool is_near_wall = !sampler.sample({from}).empty() && sampler.sample({from, to, opposite}).size() < 3;
-      return is_near_wall ? 1. : std::max(change(from, to), change(from, opposite));
+      const auto at = sampler.sample({from}), moved = sampler.sample({to, opposite});
+      if (at.empty())
+        return 0.;
+      if (moved.size() < 2)
+        return 1.;
+      const auto by = [&](const ResistanceSample &sample) {
+        return relative_change(at.front().resistance, sample.resistance);
+      };
+      return std::max(by(moved[0]), by(moved[1]));
     };
     for (const auto &shape : shapes)
     {
