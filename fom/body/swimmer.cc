@@ -62,8 +62,14 @@ namespace swimtwin
 
   template <int dim>
   Swimmer<dim>::Swimmer(const Scene &scene, const MPI_Comm communicator)
-      : scene_(scene), body_(make_body(scene, communicator)), body_length_(scene.body_length_m()),
-        is_symmetric_(solves_half(scene)), inertia_(inertia_terms(scene))
+      : Swimmer(scene, make_body(scene, communicator))
+  {
+  }
+
+  template <int dim>
+  Swimmer<dim>::Swimmer(const Scene &scene, BodyMesh<dim> body)
+      : scene_(scene), body_(std::move(body)), body_length_(scene.body_length_m()), is_symmetric_(solves_half(scene)),
+        inertia_(inertia_terms(scene))
   {
     if (has_tail())
       make_tail();

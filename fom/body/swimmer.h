@@ -60,6 +60,8 @@ namespace swimtwin
   {
   public:
     Swimmer(const Scene &scene, MPI_Comm communicator);
+    /// The same on a mesh of the body that is there already.
+    Swimmer(const Scene &scene, BodyMesh<dim> body);
 
     bool                    has_tail() const { return body_.tail != nullptr; }
     bool                    can_bend() const { return has_tail() && scene_.tail->is_elastic(); }

@@ -74,9 +74,7 @@ namespace swimtwin
       : scene_(scene), communicator_(communicator), swimmer_(scene, communicator),
         coupling_(make_coupling(swimmer_, communicator)), follows_way_(starts_under_load(swimmer_))
   {
-    now_.configuration = swimmer_.configuration_at_rest();
-    take_given_configuration(swimmer_, 0., now_.configuration);
-    now_.rates.shape_rate.resize(now_.configuration.shape.size());
+    start_at_rest();
     if (scene.fluid)
     {
       remesh();
@@ -84,14 +82,34 @@ namespace swimtwin
     }
     else
       coupling_->use_fluid(nullptr);
-    if (!swimmer_.has_tail() && !inertia_terms(scene).any())
-      solve_initial_flow();
+    solve_initial_flow();
+  }
+
+  template <int dim>
+  FullOrderModel<dim>::FullOrderModel(const Scene &scene, BodyMesh<dim> body, FluidMesh<dim> fluid,
+                                      const MPI_Comm communicator)
+      : scene_(scene), communicator_(communicator), swimmer_(scene, std::move(body)),
+        coupling_(make_coupling(swimmer_, communicator)), follows_way_(starts_under_load(swimmer_))
+  {
+    start_at_rest();
+    use_fluid(std::make_unique<FluidDomain<dim>>(scene, std::move(fluid), now_.configuration.pose));
+    solve_initial_flow();
+  }
+
+  template <int dim>
+  void FullOrderModel<dim>::start_at_rest()
+  {
+    now_.configuration = swimmer_.configuration_at_rest();
+    take_given_configuration(swimmer_, 0., now_.configuration);
+    now_.rates.shape_rate.resize(now_.configuration.shape.size());
   }
 
   template <int dim>
   void FullOrderModel<dim>::solve_initial_flow()
   {
     // Without a tail and inertia the velocities follow from the position alone; else the run starts from rest.
+    if (swimmer_.has_tail() || inertia_terms(scene_).any())
+      return;
     if (scene_.head.is_driven())
     {
       const auto given    = given_pose<dim>(scene_.head, 0.);

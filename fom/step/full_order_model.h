@@ -38,6 +38,9 @@ namespace swimtwin
     /// Meshes the scene at rest. The scene must outlive the model. Collective; throws ComputationError, and InputError
     /// if the scene's mesh size does not do at rest.
     FullOrderModel(const Scene &scene, MPI_Comm communicator);
+    /// The same on meshes of body and fluid at rest that are there already. Where it needs another mesh of the fluid,
+    /// it makes the scene's.
+    FullOrderModel(const Scene &scene, BodyMesh<dim> body, FluidMesh<dim> fluid, MPI_Comm communicator);
 
     /// Advance by one step of the scene's time grid, with smaller ones inside where they are needed: at the start, and
     /// after failures. Collective; throws ComputationError that names time, cause and remedy.
@@ -61,6 +64,7 @@ namespace swimtwin
     void            restore(const ModelState<dim> &state);
 
   private:
+    void              start_at_rest();
     StepOutcome       try_step(double dt);
     int               next_ticks(int done, int largest) const;
     [[noreturn]] void give_up(StepOutcome outcome, int halvings) const;
