@@ -165,9 +165,8 @@ namespace swimtwin
   {
     if (scene.numerics.symmetric_half != SymmetricHalf::automatic)
       return scene.numerics.symmetric_half == SymmetricHalf::on;
-    const bool is_partitioned = scene.numerics.coupling == CouplingScheme::fixed_point && scene.fluid && scene.tail;
-    const MirrorPlane plane   = find_mirror_plane(scene);
-    return plane.exists() && plane.doubt.empty() && !is_partitioned;
+    const MirrorPlane plane = find_mirror_plane(scene);
+    return plane.exists() && plane.doubt.empty() && !scene.is_partitioned();
   }
 
   bool moves_in_plane(const Scene &scene)

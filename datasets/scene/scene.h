@@ -188,6 +188,7 @@ namespace swimtwin
     int    n_steps() const;
   };
 
+  /// Of the plane; mesh_growth, remesh_quality and reuse_factorization have others in space (read_numerics.cc).
   struct Numerics
   {
     // meshes
@@ -252,6 +253,11 @@ namespace swimtwin
     double body_length_m() const;
     /// Whether the body, or walls, are read from a surface: nothing is then known to be its own mirror image.
     bool has_surfaces() const { return head.surface || (domain && domain->surface); }
+    /// Whether a partitioned coupling is asked for and there is what can be: a fluid and an elastic tail.
+    bool is_partitioned() const
+    {
+      return numerics.coupling == CouplingScheme::fixed_point && fluid && tail && tail->is_elastic();
+    }
   };
 
   /// Read and validate a scene file, after applying overrides of the form "key.path=value" (`--set`). Throws InputError

@@ -213,7 +213,7 @@ namespace swimtwin
         document.refuse(
             "numerics", "symmetric_half",
             fmt::format("needs a scene that is its own mirror image, but {}; use \"auto\" or \"off\".", plane.missing));
-      if (scene.numerics.coupling == CouplingScheme::fixed_point && scene.fluid && scene.tail)
+      if (scene.is_partitioned())
         document.refuse("numerics", "symmetric_half",
                         "does not go with coupling = \"fixed-point\", which solves the whole scene; use \"off\", or "
                         "coupling = \"monolithic\".");

@@ -69,16 +69,25 @@ namespace swimtwin
     }
   }
 
-  bool is_partitioned(const Scene &scene)
+  template <int dim>
+  StepOutcome move_meshes(FluidDomain<dim> *fluid, const Swimmer<dim> &swimmer, const Configuration<dim> &configuration)
   {
-    return scene.numerics.coupling == CouplingScheme::fixed_point && scene.fluid && scene.tail &&
-           scene.tail->is_elastic();
+    if (fluid)
+    {
+      const auto quality = fluid->follow(swimmer.surface(configuration), configuration.pose);
+      if (!quality)
+        return StepOutcome::linear_solver_failed;
+      if (!(*quality > 0.))
+        return StepOutcome::mesh_inverted;
+    }
+    return swimmer.has_tail() && swimmer.elasticity().is_inverted(configuration.shape) ? StepOutcome::tail_inverted
+                                                                                       : StepOutcome::accepted;
   }
 
   template <int dim>
   std::unique_ptr<Coupling<dim>> make_coupling(const Swimmer<dim> &swimmer, const MPI_Comm communicator)
   {
-    if (is_partitioned(swimmer.scene()))
+    if (swimmer.scene().is_partitioned())
       return std::make_unique<FixedPointCoupling<dim>>(swimmer, communicator);
     return std::make_unique<MonolithicCoupling<dim>>(swimmer, communicator);
   }
@@ -121,6 +130,8 @@ namespace swimtwin
 
   template Point<2> head_center<2>(const Swimmer<2> &, const TimeStep<2> &, const Configuration<2> &, const Rates<2> &);
   template Point<3> head_center<3>(const Swimmer<3> &, const TimeStep<3> &, const Configuration<3> &, const Rates<3> &);
+  template StepOutcome                  move_meshes<2>(FluidDomain<2> *, const Swimmer<2> &, const Configuration<2> &);
+  template StepOutcome                  move_meshes<3>(FluidDomain<3> *, const Swimmer<3> &, const Configuration<3> &);
   template std::unique_ptr<Coupling<2>> make_coupling<2>(const Swimmer<2> &, MPI_Comm);
   template std::unique_ptr<Coupling<3>> make_coupling<3>(const Swimmer<3> &, MPI_Comm);
 } // namespace swimtwin

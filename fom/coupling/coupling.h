@@ -95,8 +95,10 @@ namespace swimtwin
     CouplingCounts counts_;
   };
 
-  /// Whether the scene asks for a partitioned coupling and has what can be partitioned: a fluid and a tail.
-  bool is_partitioned(const Scene &scene);
+  /// Let the meshes of fluid, if there is one, and tail follow a configuration: accepted, or what went wrong.
+  template <int dim>
+  StepOutcome move_meshes(FluidDomain<dim> *fluid, const Swimmer<dim> &swimmer,
+                          const Configuration<dim> &configuration);
 
   /// The coupling that a scene asks for; monolithic if there is nothing to partition. Collective.
   template <int dim>

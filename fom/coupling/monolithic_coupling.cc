@@ -156,10 +156,8 @@ namespace swimtwin
     {
       {
         const ScopedCpuTime time(counts_.mesh_motion_cpu_s);
-        if (fluid_ && !(fluid_->follow(swimmer_.surface(configuration), configuration.pose) > 0.))
-          return StepOutcome::mesh_inverted;
-        if (swimmer_.has_tail() && swimmer_.elasticity().is_inverted(configuration.shape))
-          return StepOutcome::tail_inverted;
+        if (const auto outcome = move_meshes<dim>(fluid_, swimmer_, configuration); outcome != StepOutcome::accepted)
+          return outcome;
       }
       const ScopedCpuTime time(counts_.iteration_cpu_s);
       ++counts_.n_iterations;

@@ -15,10 +15,8 @@ namespace swimtwin
     /// One mesh needs one matrix, whose factors serve all its positions; the partitioned scheme may iterate.
     LinearSolver solver_of_mesh_motion(const Scene &scene)
     {
-      return scene.numerics.coupling == CouplingScheme::fixed_point && scene.tail && scene.tail->is_elastic() &&
-                     scene.numerics.linear_solver == LinearSolver::iterative
-                 ? LinearSolver::iterative
-                 : LinearSolver::direct;
+      return scene.is_partitioned() && scene.numerics.linear_solver == LinearSolver::iterative ? LinearSolver::iterative
+                                                                                               : LinearSolver::direct;
     }
   } // namespace
 
@@ -75,7 +73,7 @@ namespace swimtwin
   }
 
   template <int dim>
-  double FluidDomain<dim>::follow(const std::vector<Point<dim>> &surface, const RigidPose<dim> &pose)
+  std::optional<double> FluidDomain<dim>::follow(const std::vector<Point<dim>> &surface, const RigidPose<dim> &pose)
   {
     // A domain that moves with the swimmer is deformed in the head's frame, where its walls are still.
     const bool                  co_moving = scene_.domain->moves_with_swimmer;
@@ -100,7 +98,7 @@ namespace swimtwin
       }
       const auto extended = extension_->extend(displacement);
       if (extended.empty())
-        return quality_ = -1.;
+        return std::nullopt;
       for (unsigned int i = 0; i < positions_.size(); ++i)
         positions_[i] = mesh().nodes[i] + extended[i];
     }

@@ -13,6 +13,7 @@
 #include <fom/mesh/fluid_mesh.h>
 
 #include <memory>
+#include <optional>
 
 namespace swimtwin
 {
@@ -53,10 +54,10 @@ namespace swimtwin
     void describe_mirror(MotionMap<dim> &map) const { mirror_pairs_.describe(map, numbering_, true); }
     void set_wall_velocities(MotionMap<dim> &map, double time_s) const;
 
-    /// Let the mesh follow the swimmer's surface (laboratory positions). Returns the worst element quality; a number
-    /// <= 0 means that an element is inverted. Collective.
-    double follow(const std::vector<dealii::Point<dim>> &surface, const RigidPose<dim> &pose);
-    double quality() const { return quality_; }
+    /// Let the mesh follow the swimmer's surface (laboratory positions). Returns the worst element quality, <= 0
+    /// with an element inside out, or nothing where the mesh's motion could not be solved. Collective.
+    std::optional<double> follow(const std::vector<dealii::Point<dim>> &surface, const RigidPose<dim> &pose);
+    double                quality() const { return quality_; }
 
     // Inertia: the past is kept where a term needs it, and starts from rest.
     const InertiaTerms   &inertia() const { return terms_; }

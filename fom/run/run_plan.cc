@@ -199,7 +199,7 @@ namespace swimtwin
             {"mesh motion", body_is_still ? "nothing moves" : "the domain moves with the rigid body"});
       else
       {
-        const bool iterates = is_partitioned(scene) && scene.numerics.linear_solver == LinearSolver::iterative;
+        const bool iterates = scene.is_partitioned() && scene.numerics.linear_solver == LinearSolver::iterative;
         plan.solved.push_back({"mesh motion", std::string("an extension from the mesh as it was made: one ") +
                                                   (iterates ? "preconditioner" : "factorisation") + " per mesh"});
         plan.solved.push_back(
@@ -214,7 +214,7 @@ namespace swimtwin
             {"factorisations", "old factors precondition GMRES while that is cheaper than new ones"});
       else if (scene.numerics.linear_solver != LinearSolver::iterative)
         plan.skipped.push_back({"half of every factorisation", "the coupled matrix is symmetric"});
-      if (is_partitioned(scene))
+      if (scene.is_partitioned())
         plan.solved.push_back(
             {"coupling",
              fmt::format("fixed point, {}, until the residual is below {:.0e} body lengths",
@@ -243,8 +243,8 @@ namespace swimtwin
             {"both halves",
              fmt::format("the scene has a mirror plane, but {}",
                          scene.numerics.symmetric_half == SymmetricHalf::off ? "[numerics] symmetric_half = \"off\""
-                         : is_partitioned(scene) ? "coupling = \"fixed-point\" does not use it"
-                                                 : plane.doubt)});
+                         : scene.is_partitioned() ? "coupling = \"fixed-point\" does not use it"
+                                                  : plane.doubt)});
       else
         plan.solved.push_back({"both halves", "no mirror plane: " + plane.missing});
     }
@@ -309,14 +309,15 @@ namespace swimtwin
       const bool        is_chosen = scene.numerics.linear_solver != LinearSolver::automatic;
       const std::string why =
           is_chosen ? std::string("[numerics] linear_solver")
-          : is_partitioned(scene)
+          : scene.is_partitioned()
               ? std::string("[numerics] coupling = \"fixed-point\"")
               : fmt::format("{} {} unknowns{}", iterative ? "more than" : "at most", unknowns_for_iterations,
                             scene.dimension == 3 ? "" : " in space, any number in the plane");
-      const char *const how = !iterative              ? "factors"
-                              : is_partitioned(scene) ? "FGMRES with blocks by physics (fluid and rigid motion), GMRES "
-                                                        "with GASM (tail), CG with GAMG (mesh motion)"
-                                                      : "FGMRES, blocks by physics";
+      const char *const how = !iterative ? "factors"
+                              : scene.is_partitioned()
+                                  ? "FGMRES with blocks by physics (fluid and rigid motion), GMRES "
+                                    "with GASM (tail), CG with GAMG (mesh motion)"
+                                  : "FGMRES, blocks by physics";
       plan.solved.push_back({"linear systems", fmt::format("{}: {}", how, why)});
     }
   } // namespace
@@ -340,8 +341,8 @@ namespace swimtwin
         scene.time.n_steps() * iterations_per_step * seconds_per_iteration(plan.n_unknowns, scene.dimension);
     const bool iterative =
         scene.fluid &&
-        (is_partitioned(scene) ? scene.numerics.linear_solver == LinearSolver::iterative
-                               : iterates(scene.numerics.linear_solver, scene.dimension, plan.n_unknowns));
+        (scene.is_partitioned() ? scene.numerics.linear_solver == LinearSolver::iterative
+                                : iterates(scene.numerics.linear_solver, scene.dimension, plan.n_unknowns));
     plan.estimated_memory_MB = memory_MB(plan.n_unknowns, scene.dimension, iterative);
     plan_solver(scene, iterative, plan);
     plan.is_extrapolated = plan.n_unknowns > n_unknowns_measured(scene.dimension);

@@ -202,7 +202,7 @@ namespace swimtwin
     const auto       before  = fluid.positions();
     c.pose.center += Tensor<1, 2>({0.1, -0.2});
     c.pose.angle = 2.5;
-    EXPECT_NEAR(fluid.follow(swimmer.surface(c), c.pose), at_rest,
+    EXPECT_NEAR(fluid.follow(swimmer.surface(c), c.pose).value(), at_rest,
                 1e-9); // rounding of 0.2 m over cells of 1e-4 m, squared sides
     for (unsigned int i = 0; i < before.size(); ++i)
       EXPECT_LE(fluid.positions()[i].distance(c.pose.to_laboratory(before[i])), 1e-12);
