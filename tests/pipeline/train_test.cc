@@ -82,6 +82,25 @@ namespace swimtwin
     EXPECT_NE(content(results / "model-card.txt").find("CPU time: "), std::string::npos);
   }
 
+  // The domain moves along off the head's axis: bending towards the near wall is felt more than away from it.
+  TEST(Train, TakesNoMirrorForGrantedOffTheAxis)
+  {
+    const TemporaryFolder folder;
+    const auto            results = folder.path / "model";
+    const Outcome         trained = run_tool(train_arguments(
+                results, {"--set", "domain.radius_m=16e-3", "--set", "domain.center_m=[4e-3, 9e-3]", "--allow-inertia"}));
+    ASSERT_EQ(trained.exit_code, 0) << trained.err;
+    const ReducedModel      model      = read_reduced_model(results / "model.h5");
+    const ReducedResistance resistance = model.resistance;
+    EXPECT_NE(resistance.factor_at_rest(1, 0), 0.); // a force along the axis pushes it across
+    Eigen::Index at_bend = 0;
+    while (resistance.exponents(at_bend, 0) != 1 || resistance.exponents.row(at_bend).sum() != 1)
+      ++at_bend;
+    EXPECT_NE(resistance.coefficients(at_bend, 0), 0.); // drag along the axis is not even in the bend
+    const HeldOutRun &run = model.record.held_out_runs.front();
+    EXPECT_NEAR(run.reduced_displacement_m, run.displacement_m, .02 * run.displacement_m);
+  }
+
   // Two modes and few samples of a swimmer that needs more: the fit, samples or a mode are added, and it is said.
   TEST(Train, AimsUntilItsBudgetIsSpent)
   {
