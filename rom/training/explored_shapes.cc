@@ -3,6 +3,7 @@
 #include <rom/integration/swimmer_integrator.h>
 
 #include <cmath>
+#include <limits>
 
 namespace swimtwin
 {
@@ -62,6 +63,34 @@ namespace swimtwin
             Eigen::Rotation2Dd(-snapshot.state[2]) * Eigen::Vector2d(snapshot.rate.head<2>());
       }
     return points;
+  }
+
+  Eigen::Matrix2Xd third_ways(const ReducedModel &model, const std::vector<RunParameters> &members,
+                              const InertialDensities &densities)
+  {
+    const ReducedSwimmer swimmer(model, densities);
+    SwimmerIntegrator    integrator(swimmer, {});
+    Eigen::Matrix2Xd     ways(2, members.size());
+    for (Eigen::Index k = 0; k < ways.cols(); ++k)
+    {
+      RunRequest request         = request_of(members[static_cast<std::size_t>(k)], model);
+      request.initial_state      = SwimmerState::Zero(swimmer.n_states());
+      request.samples_per_period = 0;
+      const SwimmerRun run       = integrator.run(request);
+      if (run.completed())
+        ways.col(k) = run.at_period_end[3].head<2>() - run.at_period_end[2].head<2>();
+      else
+        ways.col(k).setConstant(std::numeric_limits<double>::quiet_NaN());
+    }
+    return ways;
+  }
+
+  double relative_difference(const Eigen::Matrix2Xd &ways, const Eigen::Matrix2Xd &others)
+  {
+    const Eigen::RowVectorXd length = others.colwise().norm();
+    const Eigen::RowVectorXd apart  = (ways - others).colwise().norm();
+    return apart.cwiseQuotient(length.cwiseMax(.05 * length.maxCoeff())).norm() /
+           std::sqrt(static_cast<double>(length.size()));
   }
 
   std::vector<ShapePoint> shapes_of(const std::vector<ExploredPoint> &points)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <datasets/reduced/reduced_model.h>
+#include <rom/swimmer/swimmer_parameters.h>
 #include <rom/training/sampled_shapes.h>
 #include <rom/training/training_runs.h>
 
@@ -21,4 +22,10 @@ namespace swimtwin
   std::vector<ExploredPoint> explore(const ReducedModel &model, const std::vector<RunParameters> &members,
                                      const ShapePoint &rest);
   std::vector<ShapePoint>    shapes_of(const std::vector<ExploredPoint> &points);
+
+  /// Way (m, laboratory) of the head in the third period from rest, a column for each member; NaN where a run fails.
+  Eigen::Matrix2Xd third_ways(const ReducedModel &model, const std::vector<RunParameters> &members,
+                              const InertialDensities &densities = {});
+  /// How far apart ways are: root mean square, relative to the second ones' length, or a twentieth of the longest.
+  double relative_difference(const Eigen::Matrix2Xd &ways, const Eigen::Matrix2Xd &others);
 } // namespace swimtwin

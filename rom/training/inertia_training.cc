@@ -1,5 +1,6 @@
 #include <rom/training/inertia_training.h>
 
+#include <datasets/reduced/held_out_error.h>
 #include <datasets/scene/dimensionless_groups.h>
 #include <datasets/scene/inertia_terms.h>
 #include <datasets/scene/mirror_plane.h>
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace swimtwin
 {
@@ -183,31 +183,6 @@ namespace swimtwin
       return {std::sqrt(off(0) / all(0)), std::sqrt(off(1) / all(1))};
     }
 
-    struct ChosenFeatures
-    {
-      Eigen::MatrixXi   exponents;
-      InertiaFitQuality quality;
-    };
-
-    /// The smallest set that is good enough, beside the 4 % that a force of first order leaves, or nearly as good as
-    /// the best.
-    ChosenFeatures choose_features(const std::vector<Eigen::MatrixXi> &sets, const InertiaTable &table,
-                                   const Eigen::VectorXd &power)
-    {
-      constexpr double               nearly = 1.15, good_enough = 0.015;
-      std::vector<InertiaFitQuality> qualities;
-      double                         best = std::numeric_limits<double>::infinity();
-      for (const auto &set : sets)
-      {
-        qualities.push_back(cross_validate(set, table, power));
-        best = std::min(best, qualities.back().worse());
-      }
-      std::size_t chosen = 0;
-      while (qualities[chosen].worse() > std::max(good_enough, nearly * best))
-        ++chosen;
-      return {sets[chosen], qualities[chosen]};
-    }
-
     InertiaPolynomials polynomials_of(const Eigen::MatrixXi &exponents, const InertiaTable &table,
                                       const Eigen::MatrixXd &mass_at_rest, const Eigen::MatrixXd &L,
                                       const bool has_mirror)
@@ -223,6 +198,36 @@ namespace swimtwin
         result.quadratic.row(f)   = by_rows(in_units_of(out_of_L, row.reshaped(n_pairs, n).transpose())).transpose();
       }
       return result;
+    }
+
+    struct ChosenFeatures
+    {
+      Eigen::MatrixXi   exponents;
+      InertiaFitQuality quality;
+    };
+
+    /// The smallest set that is nearly as good as the best, or moves the swimmer like it. `ways`: with a set's inertia.
+    ChosenFeatures choose_features(const std::vector<Eigen::MatrixXi> &sets, const InertiaTable &table,
+                                   const Eigen::VectorXd &power, const double apart,
+                                   const std::function<Eigen::Matrix2Xd(const Eigen::MatrixXi &)> &ways)
+    {
+      constexpr double               nearly = 1.15, no_worse = 5.; // times; farther off, ways are alike by chance
+      std::vector<InertiaFitQuality> qualities;
+      for (const auto &set : sets)
+        qualities.push_back(cross_validate(set, table, power));
+      const auto best = static_cast<std::size_t>(
+          std::min_element(qualities.begin(), qualities.end(),
+                           [](const auto &a, const auto &b) { return a.worse() < b.worse(); }) -
+          qualities.begin());
+      const Eigen::Matrix2Xd best_ways = ways(sets[best]);
+      std::size_t            chosen    = 0;
+      const auto             will_do   = [&](const std::size_t k) {
+        const double worse = qualities[k].worse() / qualities[best].worse();
+        return worse <= nearly || (worse <= no_worse && relative_difference(ways(sets[k]), best_ways) <= apart);
+      };
+      while (chosen < best && !will_do(chosen))
+        ++chosen;
+      return {sets[chosen], qualities[chosen]};
     }
   } // namespace
 
@@ -243,17 +248,30 @@ namespace swimtwin
     const Eigen::VectorXd effects = variable_effects(samples.fluid.front().mass, edge, region.has_mirror);
     const InertiaTable    fluid   = table_of(samples, samples.fluid, region, L),
                        tail       = table_of(samples, samples.tail, region, L);
-    const auto [exponents, quality] =
-        choose_features(feature_sets(effects, fluid.z.rows(), region.has_mirror), fluid, usual_powers(seen, L));
+    const auto inertia_of         = [&](const Eigen::MatrixXi &exponents) {
+      return ReducedInertia{exponents,
+                            polynomials_of(exponents, fluid, samples.fluid.front().mass, L, region.has_mirror),
+                            polynomials_of(exponents, tail, samples.tail.front().mass, L, region.has_mirror),
+                            scene.head.volume(scene.dimension), scene.head.second_moment(scene.dimension)};
+    };
+    const InertialDensities densities =
+        inertial_densities(scene, {.unsteady = true, .convective = true, .tail = true, .head = true});
+    const auto ways = [&](const Eigen::MatrixXi &exponents) {
+      constexpr int n_members = 12, first = 500;
+      ReducedModel  carried = model;
+      carried.inertia       = inertia_of(exponents);
+      return third_ways(carried, spread_members(model.range, n_members, first), densities);
+    };
+    constexpr double share          = .1; // of the target
+    const auto [exponents, quality] = choose_features(feature_sets(effects, fluid.z.rows(), region.has_mirror), fluid,
+                                                      usual_powers(seen, L), share * target_of(model.record), ways);
 
     TrainedInertia result;
     result.n_samples       = static_cast<int>(samples.points.size());
     result.mass_error      = quality.mass;
     result.quadratic_error = quality.quadratic;
     result.power_defect    = samples.largest_power_defect;
-    result.inertia = {exponents, polynomials_of(exponents, fluid, samples.fluid.front().mass, L, region.has_mirror),
-                      polynomials_of(exponents, tail, samples.tail.front().mass, L, region.has_mirror),
-                      scene.head.volume(scene.dimension), scene.head.second_moment(scene.dimension)};
+    result.inertia         = inertia_of(exponents);
     return result;
   }
 

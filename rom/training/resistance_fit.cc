@@ -2,6 +2,7 @@
 
 #include <datasets/system/error.h>
 #include <rom/swimmer/dense_algebra.h>
+#include <rom/training/explored_shapes.h>
 #include <rom/training/monomial_features.h>
 
 #include <algorithm>
@@ -217,7 +218,7 @@ namespace swimtwin
   } // namespace
 
   ResistanceFit::ResistanceFit(const std::vector<ResistanceSample> &samples, const SampledRegion &region,
-                               const Eigen::VectorXd &effects, const UsualPlace &usual, const double nearly)
+                               const Eigen::VectorXd &effects, const UsualPlace &usual, const FitEconomy &economy)
       : region_(region)
   {
     const Eigen::Index n       = samples.front().resistance.rows();
@@ -235,16 +236,6 @@ namespace swimtwin
       table.weight(k)      = samples[k].point.weight / (1. + table.entries.row(k).squaredNorm() / (far * far));
     }
 
-    fit_chosen_features(feature_sets(effects, table.z.rows(), region.has_mirror), table, nearly);
-    const SampleTable     rows = guided(table, guide_, restraint_);
-    const Eigen::MatrixXd A    = rows.weight.asDiagonal() * design(resistance_.exponents, rows.z);
-    parts_                     = fitted_together(resistance_.exponents, table);
-    for (const auto &[features, entries] : parts_)
-    {
-      const Eigen::MatrixXd inverse =
-          inverse_factor(with_ridge(A(Eigen::all, features), rows.weight, restraint_.ridge));
-      covariance_.push_back(inverse * inverse.transpose());
-    }
     resistance_.coordinate_scale_m = region.coordinate_scale_m;
     resistance_.depends_on_angle   = region.depends_on_angle;
     resistance_.angle_scale_rad    = region.angle_scale_rad;
@@ -255,7 +246,18 @@ namespace swimtwin
       resistance_.usual_by_sine_m     = usual.by_sine_m;
       resistance_.usual_by_coordinate = usual.by_coordinate;
     }
+    fit_chosen_features(feature_sets(effects, table.z.rows(), region.has_mirror), table, economy);
     fit_halves(table);
+
+    const SampleTable     rows = guided(table, guide_, restraint_);
+    const Eigen::MatrixXd A    = rows.weight.asDiagonal() * design(resistance_.exponents, rows.z);
+    parts_                     = fitted_together(resistance_.exponents, table);
+    for (const auto &[features, entries] : parts_)
+    {
+      const Eigen::MatrixXd inverse =
+          inverse_factor(with_ridge(A(Eigen::all, features), rows.weight, restraint_.ridge));
+      covariance_.push_back(inverse * inverse.transpose());
+    }
   }
 
   void ResistanceFit::fit_halves(const SampleTable &table)
@@ -271,9 +273,9 @@ namespace swimtwin
   }
 
   /// Coarse fits first; the best of those that are sound by a margin guides finer ones, which are on their own if there
-  /// is none. Of all that are sound the smallest that is nearly as good as the best.
+  /// is none. Of all that are sound the smallest that is nearly as good as the best, or moves the swimmer like it.
   void ResistanceFit::fit_chosen_features(const std::vector<Eigen::MatrixXi> &sets, const SampleTable &table,
-                                          const double nearly)
+                                          const FitEconomy &economy)
   {
     struct Candidate
     {
@@ -333,10 +335,16 @@ namespace swimtwin
                 bound); // the fewest monomials
       return;
     }
-    const double enough = nearly * best->quality.rms;
+    // The best of each set, by sets.
+    constexpr double no_worse = 3.; // times; farther off, ways are alike by chance
+    const double     rms      = best->quality.rms;
+    const auto       ways     = economy.ways ? economy.ways(resistance_) : Eigen::Matrix2Xd();
     std::stable_sort(candidates.begin(), candidates.end(), [](const auto &a, const auto &b) { return a.set < b.set; });
     std::find_if(candidates.begin(), candidates.end(), [&](const Candidate &candidate) {
-      return candidate.quality.rms <= enough && is_within(candidate, bound);
+      return candidate.quality.rms <= (economy.ways ? std::max(no_worse, economy.nearly) : economy.nearly) * rms &&
+             is_within(candidate, bound) &&
+             (candidate.quality.rms <= economy.nearly * rms ||
+              relative_difference(economy.ways(resistance_), ways) <= economy.apart);
     });
   }
 

@@ -5,6 +5,7 @@
 #include <datasets/reduced/reduced_model.h>
 #include <rom/training/shape_sampler.h>
 
+#include <functional>
 #include <vector>
 
 namespace swimtwin
@@ -25,6 +26,15 @@ namespace swimtwin
       return static_cast<int>(coordinate_scale_m.size()) + depends_on_angle + depends_on_height;
     }
     Eigen::VectorXd variables(const ShapePoint &point) const; ///< z, then scaled angle and height if they matter
+  };
+
+  /// How much worse than the best a fit with fewer monomials may be; each of them is paid for at each step in time.
+  struct FitEconomy
+  {
+    double nearly = 1.15; ///< times the best one's error
+    /// If given, so far apart (relative_difference) the swimmer's ways may be all the same.
+    std::function<Eigen::Matrix2Xd(const ReducedResistance &)> ways;
+    double                                                     apart = 0.;
   };
 
   struct FitQuality
@@ -65,19 +75,16 @@ namespace swimtwin
 
   /// Which monomials matter is told by `effects`: how much each variable at the region's edge changes the scaled
   /// factor. Their products, raised to the powers of a monomial, must exceed a bound; the bound, and a restraint of the
-  /// coefficients, are chosen by cross-validation: the smallest set that is within `nearly` times of the best, of those
-  /// that are not wild beyond the region. Polynomials that are fine enough within it are wild beyond, where no sample
-  /// is, unless rows there hold them to the best coarse fit that is not. The first sample is that at rest; others count
-  /// less the farther their C is from its. All bending coordinates are odd. The halves of the samples are fitted by
-  /// themselves as well, every other one.
+  /// coefficients, are chosen by cross-validation: the smallest set that economy allows, of those that are not wild
+  /// beyond the region. Polynomials that are fine enough within it are wild beyond, where no sample is, unless rows
+  /// there hold them to the best coarse fit that is not. The first sample is that at rest; others count less the
+  /// farther their C is from its. All bending coordinates are odd. The halves of the samples are fitted by themselves
+  /// as well, every other one.
   class ResistanceFit
   {
   public:
-    /// Every monomial is paid for at each step in time.
-    static constexpr double usual_nearly = 1.15;
-
     ResistanceFit(const std::vector<ResistanceSample> &samples, const SampledRegion &region,
-                  const Eigen::VectorXd &effects, const UsualPlace &usual = {}, double nearly = usual_nearly);
+                  const Eigen::VectorXd &effects, const UsualPlace &usual = {}, const FitEconomy &economy = {});
 
     const ReducedResistance &resistance() const { return resistance_; }
     /// By five-fold cross-validation.
@@ -92,7 +99,8 @@ namespace swimtwin
     double velocity_error_at(const ResistanceSample &sample, const Eigen::VectorXd &velocity) const;
 
   private:
-    void fit_chosen_features(const std::vector<Eigen::MatrixXi> &sets, const SampleTable &table, double nearly);
+    void fit_chosen_features(const std::vector<Eigen::MatrixXi> &sets, const SampleTable &table,
+                             const FitEconomy &economy);
     void fit_halves(const SampleTable &table);
 
     SampledRegion                region_;

@@ -56,6 +56,7 @@ namespace swimtwin
     sampler_     = std::make_unique<ShapeSampler>([this](const ShapePoint &point) { return resistance_->at(point); },
                                               basis_.n_coordinates(), *store_, communicator_);
     choose_region(*sampler_);
+    economy_ = usual_economy();
     sample_resistance(*sampler_);
     hold_out_samples(*sampler_);
     judge();
@@ -64,7 +65,7 @@ namespace swimtwin
   template <int dim>
   void Training<dim>::fit_finely()
   {
-    nearly_ = 1.;
+    economy_ = {1., {}};
     fit(*sampler_, points_);
     judge();
   }
@@ -266,6 +267,20 @@ namespace swimtwin
     return points;
   }
 
+  /// What is left out must not be felt beside the target.
+  template <int dim>
+  FitEconomy Training<dim>::usual_economy() const
+  {
+    constexpr int    n_members = 12, first = 500;
+    constexpr double share = .1;
+    const auto       ways  = [this](const ReducedResistance &resistance) {
+      ReducedModel model = model_;
+      model.resistance   = resistance;
+      return third_ways(model, spread_members(options_.range, n_members, first));
+    };
+    return {1.15, ways, share * options_.target};
+  }
+
   /// n more samples where the reduced swimmer goes and the fit is least sure.
   template <int dim>
   void Training<dim>::explore_and_fit(const int n)
@@ -286,7 +301,7 @@ namespace swimtwin
       report("resistance samples", done, total);
       book("resistance samples");
     });
-    fit_              = std::make_unique<ResistanceFit>(samples_, region_, effects_, wandering_.usual, nearly_);
+    fit_              = std::make_unique<ResistanceFit>(samples_, region_, effects_, wandering_.usual, economy_);
     model_.resistance = fit_->resistance();
     book("fits");
   }

@@ -58,6 +58,7 @@ namespace swimtwin
     void                     sample_resistance(ShapeSampler &sampler);
     std::vector<ShapePoint>  sample_edge(ShapeSampler &sampler);
     void                     explore_and_fit(int n);
+    FitEconomy               usual_economy() const;
     void                     fit(ShapeSampler &sampler, const std::vector<ShapePoint> &points);
     void                     hold_out_samples(ShapeSampler &sampler);
     void                     judge();
@@ -91,7 +92,7 @@ namespace swimtwin
     std::unique_ptr<ShapeSampler>                             sampler_;
     std::vector<ShapePoint>                                   points_;       ///< where samples are wanted
     int                                                       explored_ = 1; ///< of the range's members, the next
-    double                                                    nearly_   = ResistanceFit::usual_nearly;
+    FitEconomy                                                economy_;
     std::vector<ResistanceSample>                             samples_;
     std::unique_ptr<ResistanceFit>                            fit_;
     std::vector<std::pair<ResistanceSample, Eigen::VectorXd>> held_out_samples_; ///< and velocities

@@ -75,6 +75,26 @@ namespace swimtwin
         }
   }
 
+  // Monomials cost time at each step: those that the swimmer's way does not feel are left out.
+  TEST_F(ResistanceFitTest, LeavesOutWhatTheSwimmersWayDoesNotFeel)
+  {
+    for (std::size_t k = 1; k < samples.size(); ++k) // what the best set fits better than smaller ones is scatter
+      samples[k].resistance *= 1. + 1e-3 * std::sin(1e3 * static_cast<double>(k));
+    const auto ways = [&](const ReducedResistance &r) {
+      const ResistanceSurrogate surrogate(r, Eigen::Vector2i(-1, -1));
+      Eigen::Matrix2Xd          result(2, 3);
+      for (int k = 0; k < 3; ++k)
+        result.col(k) = surrogate.resistance((k + 1.) / 3. * region.coordinate_scale_m, 0.).diagonal().head<2>();
+      return result;
+    };
+    const auto n_monomials = [&](const FitEconomy &economy) {
+      return ResistanceFit(samples, region, effects, {}, economy).resistance().exponents.rows();
+    };
+    const auto best = n_monomials({1., {}});
+    EXPECT_EQ(n_monomials({1., ways, 1e-12}), best);
+    EXPECT_LT(n_monomials({1., ways, 1e-2}), best);
+  }
+
   // Off a channel's axis a bend towards the wall is felt more than one away from it.
   TEST_F(ResistanceFitTest, NeedsNoMirror)
   {
