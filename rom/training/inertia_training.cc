@@ -8,7 +8,7 @@
 #include <rom/swimmer/dense_algebra.h>
 #include <rom/training/explored_shapes.h>
 #include <rom/training/monomial_features.h>
-#include <rom/training/resistance_fit.h>
+#include <rom/training/factor_entries.h>
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include <rom/training/pose_dependence.h>
 
 #include <rom/swimmer/dense_algebra.h>
-#include <rom/training/resistance_fit.h>
+#include <rom/training/factor_entries.h>
 
 #include <algorithm>
 

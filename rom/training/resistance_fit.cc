@@ -1,6 +1,5 @@
 #include <rom/training/resistance_fit.h>
 
-#include <datasets/system/error.h>
 #include <rom/swimmer/dense_algebra.h>
 #include <rom/training/explored_shapes.h>
 #include <rom/training/monomial_features.h>
@@ -8,190 +7,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace swimtwin
 {
-  Eigen::VectorXd SampledRegion::variables(const ShapePoint &point) const
-  {
-    Eigen::VectorXd z(n_variables());
-    z.head(point.q.size()) = point.q.cwiseQuotient(coordinate_scale_m);
-    if (depends_on_angle)
-      z(point.q.size()) = point.angle_rad / angle_scale_rad;
-    if (depends_on_height)
-      z(z.size() - 1) = point.drift_y_m / height_scale_m;
-    return z;
-  }
-
-  Eigen::MatrixXd factor_at_rest(const Eigen::MatrixXd &rest, const bool has_mirror)
-  {
-    Eigen::MatrixXd symmetric = rest;
-    for (Eigen::Index i = 0; i < rest.rows(); ++i)
-      for (Eigen::Index j = 0; j < rest.cols(); ++j)
-        if (has_mirror && velocity_parity(i) * velocity_parity(j) < 0)
-          symmetric(i, j) = 0.;
-    return cholesky_factor(symmetric);
-  }
-
-  Eigen::MatrixXd seen_from(const Eigen::MatrixXd &L, const Eigen::MatrixXd &A)
-  {
-    const Eigen::MatrixXd half = solve_lower(L, A);
-    return solve_lower<Eigen::MatrixXd>(L, half.transpose()).transpose();
-  }
-
-  Eigen::VectorXd factor_entries(const Eigen::MatrixXd &L0, const Eigen::MatrixXd &resistance)
-  {
-    const Eigen::MatrixXd scaled = seen_from(L0, resistance);
-    const Eigen::MatrixXd C      = cholesky_factor((scaled + scaled.transpose()) / 2.);
-    const Eigen::Index    n      = C.rows();
-    Eigen::VectorXd       entries(n * (n + 1) / 2);
-    for (Eigen::Index i = 0, k = 0; i < n; ++i)
-      for (Eigen::Index j = 0; j <= i; ++j, ++k)
-        entries(k) = i == j ? std::log(C(i, i)) : C(i, j);
-    return entries;
-  }
-
-  Eigen::VectorXd variable_effects(const Eigen::MatrixXd &rest, const std::vector<Eigen::MatrixXd> &axis,
-                                   const bool has_mirror)
-  {
-    const Eigen::MatrixXd L0 = factor_at_rest(rest, has_mirror);
-    Eigen::VectorXd       effects(axis.size());
-    for (std::size_t i = 0; i < axis.size(); ++i)
-      effects(i) = std::max(1e-4, factor_entries(L0, axis[i]).cwiseAbs().maxCoeff());
-    return effects;
-  }
-
   namespace
   {
-    /// Columns of C's entries of one parity, in an n x n matrix.
-    std::vector<int> entries_of_parity(const Eigen::Index n, const int odd)
-    {
-      std::vector<int> columns;
-      for (int i = 0, k = 0; i < n; ++i)
-        for (int j = 0; j <= i; ++j, ++k)
-          if ((velocity_parity(i) * velocity_parity(j) < 0) == (odd == 1))
-            columns.push_back(k);
-      return columns;
-    }
-
-    std::vector<FittedTogether> fitted_together(const Eigen::MatrixXi &exponents, const SampleTable &table)
-    {
-      if (table.has_mirror)
-        return {{of_parity(exponents, 0), entries_of_parity(table.n, 0)},
-                {of_parity(exponents, 1), entries_of_parity(table.n, 1)}};
-      return {{counted(exponents.rows()), counted(table.entries.cols())}};
-    }
-
-    Eigen::MatrixXd fit_coefficients(const Eigen::MatrixXi &exponents, const SampleTable &table, const double ridge)
-    {
-      const Eigen::MatrixXd A = table.weight.asDiagonal() * design(exponents, table.z);
-      Eigen::MatrixXd       c = Eigen::MatrixXd::Zero(exponents.rows(), table.entries.cols());
-      for (const auto &[features, entries] : fitted_together(exponents, table))
-      {
-        Eigen::MatrixXd data   = Eigen::MatrixXd::Zero(A.rows() + static_cast<Eigen::Index>(features.size()),
-                                                       static_cast<Eigen::Index>(entries.size()));
-        data.topRows(A.rows()) = table.weight.asDiagonal() * table.entries(Eigen::all, entries);
-        c(features, entries)   = solve_by_plain_qr(with_ridge(A(Eigen::all, features), table.weight, ridge), data);
-      }
-      return c;
-    }
-
-    Eigen::MatrixXd factor(const Eigen::VectorXd &entries, const Eigen::Index n)
-    {
-      Eigen::MatrixXd C = Eigen::MatrixXd::Zero(n, n);
-      for (Eigen::Index i = 0, k = 0; i < n; ++i)
-        for (Eigen::Index j = 0; j <= i; ++j, ++k)
-          C(i, j) = i == j ? std::exp(entries(k)) : entries(k);
-      return C;
-    }
-
-    /// Largest relative error of the resistance for any motion.
-    double relative_error(const Eigen::VectorXd &fitted, const Eigen::VectorXd &truth, const Eigen::Index n)
-    {
-      const Eigen::MatrixXd D = solve_lower(factor(fitted, n), factor(truth, n));
-      return (D * D.transpose() - Eigen::MatrixXd::Identity(n, n)).operatorNorm();
-    }
-
-    /// Weighted root mean square of the smallest errors that hold `share` of the squared weights.
-    double trimmed_rms(const std::vector<double> &errors, const std::vector<double> &weights, const double share)
-    {
-      std::vector<std::size_t> order(errors.size());
-      std::iota(order.begin(), order.end(), 0u);
-      std::sort(order.begin(), order.end(), [&](const auto a, const auto b) { return errors[a] < errors[b]; });
-      const double all = std::inner_product(weights.begin(), weights.end(), weights.begin(), 0.);
-      double       sum = 0., taken = 0.;
-      for (const std::size_t k : order)
-      {
-        const double square = weights[k] * weights[k];
-        if (taken + square > share * all)
-          break;
-        sum += square * errors[k] * errors[k];
-        taken += square;
-      }
-      return taken > 0. ? std::sqrt(sum / taken) : 0.;
-    }
-
-    /// The table with the guide's rows below it.
-    SampleTable guided(SampleTable table, const SampleTable &guide, const FitRestraint &restraint)
-    {
-      if (restraint.guidance == 0.)
-        return table;
-      const Eigen::Index n = table.z.rows(), more = guide.z.rows();
-      const double       weight = restraint.guidance * table.weight.norm() / std::sqrt(static_cast<double>(more));
-      table.z.conservativeResize(n + more, Eigen::NoChange);
-      table.entries.conservativeResize(n + more, Eigen::NoChange);
-      table.weight.conservativeResize(n + more);
-      table.z.bottomRows(more)       = guide.z;
-      table.entries.bottomRows(more) = guide.entries;
-      table.weight.tail(more).setConstant(weight);
-      return table;
-    }
-
-    Eigen::MatrixXd fit_restrained(const Eigen::MatrixXi &exponents, const SampleTable &table, const SampleTable &guide,
-                                   const FitRestraint &restraint)
-    {
-      return fit_coefficients(exponents, guided(table, guide, restraint), restraint.ridge);
-    }
-
-    FitQuality cross_validate(const Eigen::MatrixXi &exponents, const SampleTable &table, const SampleTable &guide,
-                              const FitRestraint &restraint)
-    {
-      constexpr int       n_folds = 5;
-      FitQuality          quality{0., 0., static_cast<int>(exponents.rows())};
-      std::vector<double> errors, weights;
-      for (int fold = 0; fold < n_folds; ++fold)
-      {
-        std::vector<int> kept, held;
-        for (int k = 0; k < table.z.rows(); ++k)
-          (k > 0 && k % n_folds == fold ? held : kept).push_back(k); // rest is always kept
-        const SampleTable     test = table.rows(held);
-        const Eigen::MatrixXd fitted =
-            design(exponents, test.z) * fit_restrained(exponents, table.rows(kept), guide, restraint);
-        for (Eigen::Index k = 0; k < fitted.rows(); ++k)
-        {
-          errors.push_back(relative_error(fitted.row(k).transpose(), test.entries.row(k).transpose(), table.n));
-          weights.push_back(test.weight(k));
-        }
-      }
-      // A few shapes that nearly touch themselves are twice as far off with any monomials, and would decide alone.
-      constexpr double usual_share = 0.9;
-      quality.rms                  = trimmed_rms(errors, weights, usual_share);
-      quality.largest              = *std::max_element(errors.begin(), errors.end());
-      return quality;
-    }
-
-    /// Largest condition of the resistances, seen from that at rest, that these entries of C stand for, one row each.
-    double largest_condition(const Eigen::MatrixXd &entries, const Eigen::Index n)
-    {
-      double largest = 1.;
-      for (Eigen::Index k = 0; k < entries.rows(); ++k)
-      {
-        const Eigen::VectorXd singular = factor(entries.row(k).transpose(), n).jacobiSvd().singularValues();
-        largest                        = std::max(largest, std::pow(singular(0) / singular(n - 1), 2));
-      }
-      return std::isfinite(largest) ? largest : std::numeric_limits<double>::infinity();
-    }
-
     /// Variables, one row each, as far as the resistance is evaluated where motions lead beyond what was sampled:
     /// shapes at the utmost, poses up to there.
     Eigen::MatrixXd variables_beyond(const SampledRegion &region, const int n_points)
@@ -397,7 +217,7 @@ namespace swimtwin
     const Eigen::Index    n = sample.resistance.rows();
     const Eigen::VectorXd fitted =
         resistance_.coefficients.transpose() * monomials(resistance_.exponents, region_.variables(sample.point));
-    const Eigen::MatrixXd L = resistance_.factor_at_rest * factor(fitted, n);
+    const Eigen::MatrixXd L = resistance_.factor_at_rest * factor_of(fitted, n);
     const Eigen::VectorXd truth =
         sample.resistance.llt().solve(L * (L.transpose() * velocity)); // under the same forces
     const Eigen::VectorXd off = truth - velocity;

@@ -1,7 +1,7 @@
 // Which shapes the resistance is sampled at.
 #pragma once
 
-#include <rom/training/resistance_fit.h>
+#include <rom/training/sampled_region.h>
 
 namespace swimtwin
 {
