@@ -17,7 +17,7 @@ namespace swimtwin
 
     InertiaTerms chosen_by_share(const Scene &scene, const InertiaShares &shares)
     {
-      if (scene.numerics.coupling == CouplingScheme::fixed_point && scene.tail)
+      if (scene.is_partitioned())
         return {};
       const auto [fluid, tail, head] = shares;
       const bool has_fluid           = fluid > negligible_share;

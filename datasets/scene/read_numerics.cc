@@ -74,7 +74,7 @@ namespace swimtwin
     table.integer("remesh_every_steps", optional("", not_negative), numerics.remesh_every_steps);
     read_choice(table, "coupling", numerics.coupling);
     table.number("coupling_tolerance", optional("", tolerance_range), numerics.coupling_tolerance);
-    if (numerics.coupling == CouplingScheme::fixed_point)
+    if (numerics.coupling == CouplingScheme::fixed_point && scene.can_be_partitioned())
     {
       numerics.max_coupling_iterations = 200;
       numerics.reuse_factorization     = false; // the baseline's factors are made anew

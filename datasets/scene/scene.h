@@ -253,11 +253,9 @@ namespace swimtwin
     double body_length_m() const;
     /// Whether the body, or walls, are read from a surface: nothing is then known to be its own mirror image.
     bool has_surfaces() const { return head.surface || (domain && domain->surface); }
-    /// Whether a partitioned coupling is asked for and there is what can be: a fluid and an elastic tail.
-    bool is_partitioned() const
-    {
-      return numerics.coupling == CouplingScheme::fixed_point && fluid && tail && tail->is_elastic();
-    }
+    /// Whether there are a fluid and an elastic tail, which a partitioned coupling solves in turn.
+    bool can_be_partitioned() const { return fluid && tail && tail->is_elastic(); }
+    bool is_partitioned() const { return numerics.coupling == CouplingScheme::fixed_point && can_be_partitioned(); }
   };
 
   /// Read and validate a scene file, after applying overrides of the form "key.path=value" (`--set`). Throws InputError

@@ -137,7 +137,7 @@ namespace swimtwin
     {
       if (scene.fluid)
         refuse_entry(document, "tail", "inertia", "is for a tail without [fluid]; write [fluid] inertia instead.");
-      if (scene.numerics.coupling == CouplingScheme::fixed_point && scene.tail && inertia_terms(scene).any())
+      if (scene.is_partitioned() && inertia_terms(scene).any())
         document.refuse(
             "numerics", "coupling",
             "cannot be \"fixed-point\" with inertia: where the fluid is as heavy as the body that iteration "
@@ -180,7 +180,7 @@ namespace swimtwin
             "what a meshed shape changes of its area; make a wall \"traction-free\".");
       if (has_given_shape && scene.numerics.tail_order == 1)
         document.refuse("numerics", "tail_order", "of 1 is for an elastic tail; leave it out.");
-      if (scene.numerics.coupling == CouplingScheme::fixed_point && scene.head.is_driven() && scene.tail)
+      if (scene.is_partitioned() && scene.head.is_driven())
         document.refuse("numerics", "coupling",
                         "cannot be \"fixed-point\" with a prescribed motion of the head; use \"monolithic\".");
     }
@@ -197,8 +197,7 @@ namespace swimtwin
 
     void check_coupling(const TomlDocument &document, const Scene &scene)
     {
-      if (scene.numerics.coupling == CouplingScheme::fixed_point && scene.tail &&
-          !scene.domain->has_traction_free_wall())
+      if (scene.is_partitioned() && !scene.domain->has_traction_free_wall())
         document.refuse(
             "numerics", "coupling",
             "cannot be \"fixed-point\" in a domain without a traction-free wall: the shape rate it gives the "

@@ -16,6 +16,8 @@ namespace swimtwin
       return "accepted";
     case StepOutcome::mesh_inverted:
       return "an element of the fluid's mesh was turned inside out";
+    case StepOutcome::mesh_motion_failed:
+      return "the linear solver failed for the motion of the fluid's mesh";
     case StepOutcome::tail_inverted:
       return "an element of the tail was turned inside out";
     case StepOutcome::coupling_diverged:
@@ -76,7 +78,7 @@ namespace swimtwin
     {
       const auto quality = fluid->follow(swimmer.surface(configuration), configuration.pose);
       if (!quality)
-        return StepOutcome::linear_solver_failed;
+        return StepOutcome::mesh_motion_failed;
       if (!(*quality > 0.))
         return StepOutcome::mesh_inverted;
     }

@@ -14,6 +14,7 @@ namespace swimtwin
   enum class StepOutcome {
     accepted,
     mesh_inverted,
+    mesh_motion_failed,
     tail_inverted,
     coupling_diverged,
     linear_solver_failed,

@@ -55,7 +55,8 @@ namespace swimtwin
     void set_wall_velocities(MotionMap<dim> &map, double time_s) const;
 
     /// Let the mesh follow the swimmer's surface (laboratory positions). Returns the worst element quality, <= 0
-    /// with an element inside out, or nothing where the mesh's motion could not be solved. Collective.
+    /// with an element inside out, or nothing where the mesh's motion could not be solved: it then stays where it was.
+    /// Collective.
     std::optional<double> follow(const std::vector<dealii::Point<dim>> &surface, const RigidPose<dim> &pose);
     double                quality() const { return quality_; }
 

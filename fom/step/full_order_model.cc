@@ -253,7 +253,8 @@ namespace swimtwin
     if (!is_about_time && distance < .5 * scene_.numerics.mesh_size_m)
       message << "the body is " << distance << " m from a wall, and contact is not modelled; enlarge the domain, move "
               << "the head, lower the field, or end the run before";
-    else if (outcome == StepOutcome::mesh_inverted && !why_no_mesh_.empty())
+    else if ((outcome == StepOutcome::mesh_inverted || outcome == StepOutcome::mesh_motion_failed) &&
+             !why_no_mesh_.empty())
       message << "a new one was not to be had, for " << why_no_mesh_ << ", or raise [time] steps_per_period";
     else
       message << remedy(outcome, scene_);

@@ -90,7 +90,7 @@ namespace swimtwin
                        "(rms); {}",
                        100. * fit, 100. * all,
                        fit >= .5 * all ? "more --samples or a narrower range would help"
-                                       : "the rest comes from the modes, the place along the walls and what loads "
-                                         "do to a strongly bent tail beside bending it");
+                                       : "the rest comes from the modes, the place along the walls, what loads do "
+                                         "to a strongly bent tail beside bending it and monomials left out");
   }
 } // namespace swimtwin

@@ -122,6 +122,8 @@ namespace swimtwin
         }
         else if (remedy == Remedy::another_mode)
           current_ = std::move(before_);
+        else if (remedy == Remedy::finer_fit)
+          current_->give_up_fine_fits();
       }
 
       void report_stage(const std::string &sentence) const

@@ -3,7 +3,6 @@
 #include <rom/integration/swimmer_integrator.h>
 
 #include <cmath>
-#include <limits>
 
 namespace swimtwin
 {
@@ -13,19 +12,6 @@ namespace swimtwin
     {
       return range.low > 0. ? range.low * std::pow(range.high / range.low, share)
                             : range.low + share * (range.high - range.low);
-    }
-
-    RunRequest request_of(const RunParameters &member, const ReducedModel &model)
-    {
-      RunRequest request;
-      request.parameters         = {member.young_modulus_Pa, member.viscosity_Pa_s, member.magnetization_A_m, 0.};
-      request.drive.field        = std::make_shared<SinusoidalField>();
-      request.drive.parameters   = Eigen::Vector2d(member.bx_T, member.by_T);
-      request.drive.frequency_Hz = member.frequency_Hz;
-      request.initial_state      = SwimmerState::Zero(model.n_modes() + 3);
-      request.n_periods          = 3;
-      request.samples_per_period = 40;
-      return request;
     }
   } // namespace
 
@@ -39,8 +25,25 @@ namespace swimtwin
     return members;
   }
 
-  std::vector<ExploredPoint> explore(const ReducedModel &model, const std::vector<RunParameters> &members,
-                                     const ShapePoint &rest)
+  RunRequest request_of(const RunParameters &member, const Scene &scene, const ReducedSwimmer &swimmer)
+  {
+    RunRequest request;
+    request.parameters                   = swimmer_parameters(scene);
+    request.parameters.young_modulus_Pa  = member.young_modulus_Pa;
+    request.parameters.viscosity_Pa_s    = member.viscosity_Pa_s;
+    request.parameters.magnetization_A_m = member.magnetization_A_m;
+    request.drive.field                  = std::make_shared<SinusoidalField>();
+    request.drive.parameters             = Eigen::Vector2d(member.bx_T, member.by_T);
+    request.drive.frequency_Hz           = member.frequency_Hz;
+    request.initial_state                = SwimmerState::Zero(swimmer.n_states());
+    request.initial_state[2]             = scene.head.angle_rad;
+    request.n_periods                    = 3;
+    request.samples_per_period           = 40;
+    return request;
+  }
+
+  std::vector<ExploredPoint> explore(const ReducedModel &model, const Scene &scene,
+                                     const std::vector<RunParameters> &members, const ShapePoint &rest)
   {
     IntegratorOptions options;
     options.relative_tolerance = 1e-5;
@@ -48,7 +51,7 @@ namespace swimtwin
     SwimmerIntegrator          integrator(swimmer, options);
     std::vector<ExploredPoint> points;
     for (const auto &member : members)
-      for (const auto &snapshot : integrator.run(request_of(member, model)).snapshots)
+      for (const auto &snapshot : integrator.run(request_of(member, scene, swimmer)).snapshots)
       {
         points.push_back({rest, snapshot.rate});
         points.back().shape.q = snapshot.state.tail(model.n_modes());
@@ -63,34 +66,6 @@ namespace swimtwin
             Eigen::Rotation2Dd(-snapshot.state[2]) * Eigen::Vector2d(snapshot.rate.head<2>());
       }
     return points;
-  }
-
-  Eigen::Matrix2Xd third_ways(const ReducedModel &model, const std::vector<RunParameters> &members,
-                              const InertialDensities &densities)
-  {
-    const ReducedSwimmer swimmer(model, densities);
-    SwimmerIntegrator    integrator(swimmer, {});
-    Eigen::Matrix2Xd     ways(2, members.size());
-    for (Eigen::Index k = 0; k < ways.cols(); ++k)
-    {
-      RunRequest request         = request_of(members[static_cast<std::size_t>(k)], model);
-      request.initial_state      = SwimmerState::Zero(swimmer.n_states());
-      request.samples_per_period = 0;
-      const SwimmerRun run       = integrator.run(request);
-      if (run.completed())
-        ways.col(k) = run.at_period_end[3].head<2>() - run.at_period_end[2].head<2>();
-      else
-        ways.col(k).setConstant(std::numeric_limits<double>::quiet_NaN());
-    }
-    return ways;
-  }
-
-  double relative_difference(const Eigen::Matrix2Xd &ways, const Eigen::Matrix2Xd &others)
-  {
-    const Eigen::RowVectorXd length = others.colwise().norm();
-    const Eigen::RowVectorXd apart  = (ways - others).colwise().norm();
-    return apart.cwiseQuotient(length.cwiseMax(.05 * length.maxCoeff())).norm() /
-           std::sqrt(static_cast<double>(length.size()));
   }
 
   std::vector<ShapePoint> shapes_of(const std::vector<ExploredPoint> &points)

@@ -2,7 +2,8 @@
 #pragma once
 
 #include <datasets/reduced/reduced_model.h>
-#include <rom/swimmer/swimmer_parameters.h>
+#include <rom/integration/swimmer_run.h>
+#include <rom/swimmer/reduced_swimmer.h>
 #include <rom/training/sampled_shapes.h>
 #include <rom/training/training_runs.h>
 
@@ -10,6 +11,9 @@ namespace swimtwin
 {
   /// n members of the range, spread evenly (Halton points from `first` on); ranges above zero are spread by ratio.
   std::vector<RunParameters> spread_members(const TrainedRange &range, int n, int first = 1);
+
+  /// Three periods of a member from rest; all else is the scene's.
+  RunRequest request_of(const RunParameters &member, const Scene &scene, const ReducedSwimmer &swimmer);
 
   struct ExploredPoint
   {
@@ -19,13 +23,7 @@ namespace swimtwin
 
   /// The model's own trajectories of three periods; the angle is that of `rest` if nothing depends on it. A run that
   /// fails adds what it reached.
-  std::vector<ExploredPoint> explore(const ReducedModel &model, const std::vector<RunParameters> &members,
-                                     const ShapePoint &rest);
+  std::vector<ExploredPoint> explore(const ReducedModel &model, const Scene &scene,
+                                     const std::vector<RunParameters> &members, const ShapePoint &rest);
   std::vector<ShapePoint>    shapes_of(const std::vector<ExploredPoint> &points);
-
-  /// Way (m, laboratory) of the head in the third period from rest, a column for each member; NaN where a run fails.
-  Eigen::Matrix2Xd third_ways(const ReducedModel &model, const std::vector<RunParameters> &members,
-                              const InertialDensities &densities = {});
-  /// How far apart ways are: root mean square, relative to the second ones' length, or a twentieth of the longest.
-  double relative_difference(const Eigen::Matrix2Xd &ways, const Eigen::Matrix2Xd &others);
 } // namespace swimtwin

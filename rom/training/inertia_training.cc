@@ -6,6 +6,7 @@
 #include <datasets/scene/mirror_plane.h>
 #include <datasets/system/error.h>
 #include <rom/swimmer/dense_algebra.h>
+#include <rom/training/economy.h>
 #include <rom/training/explored_shapes.h>
 #include <rom/training/monomial_features.h>
 #include <rom/training/factor_entries.h>
@@ -180,7 +181,7 @@ namespace swimtwin
         off += Eigen::Vector2d(wrong.leftCols(table.n_mass).squaredNorm(), in_power(wrong));
         all += Eigen::Vector2d(test.weight.squaredNorm(), in_power(truth));
       }
-      return {std::sqrt(off(0) / all(0)), std::sqrt(off(1) / all(1))};
+      return {std::sqrt(off(0) / all(0)), all(1) > 0. ? std::sqrt(off(1) / all(1)) : 0.};
     }
 
     InertiaPolynomials polynomials_of(const Eigen::MatrixXi &exponents, const InertiaTable &table,
@@ -208,10 +209,9 @@ namespace swimtwin
 
     /// The smallest set that is nearly as good as the best, or moves the swimmer like it. `ways`: with a set's inertia.
     ChosenFeatures choose_features(const std::vector<Eigen::MatrixXi> &sets, const InertiaTable &table,
-                                   const Eigen::VectorXd &power, const double apart,
+                                   const Eigen::VectorXd &power, const double target,
                                    const std::function<Eigen::Matrix2Xd(const Eigen::MatrixXi &)> &ways)
     {
-      constexpr double               nearly = 1.15, no_worse = 5.; // times; farther off, ways are alike by chance
       std::vector<InertiaFitQuality> qualities;
       for (const auto &set : sets)
         qualities.push_back(cross_validate(set, table, power));
@@ -223,7 +223,7 @@ namespace swimtwin
       std::size_t            chosen    = 0;
       const auto             will_do   = [&](const std::size_t k) {
         const double worse = qualities[k].worse() / qualities[best].worse();
-        return worse <= nearly || (worse <= no_worse && relative_difference(ways(sets[k]), best_ways) <= apart);
+        return worse <= nearly_as_good || (worse <= no_rival && are_alike(ways(sets[k]), best_ways, target));
       };
       while (chosen < best && !will_do(chosen))
         ++chosen;
@@ -236,7 +236,7 @@ namespace swimtwin
   {
     const SampledRegion          region = region_of(model.resistance, domain_is_mirrored(scene));
     const ShapePoint             rest{Eigen::VectorXd::Zero(model.n_modes()), 0., 0., 0.};
-    const auto                   seen    = explore(model, spread_members(model.range, 40, 400), rest);
+    const auto                   seen    = explore(model, scene, spread_members(model.range, 40, 400), rest);
     const auto                   points  = points_to_sample(seen, region, rest, n_samples);
     const InertiaSamples         samples = scene.dimension == 3
                                                ? sample_inertia<3>(model, scene, points, communicator, on_progress)
@@ -257,14 +257,12 @@ namespace swimtwin
     const InertialDensities densities =
         inertial_densities(scene, {.unsteady = true, .convective = true, .tail = true, .head = true});
     const auto ways = [&](const Eigen::MatrixXi &exponents) {
-      constexpr int n_members = 12, first = 500;
-      ReducedModel  carried = model;
-      carried.inertia       = inertia_of(exponents);
-      return third_ways(carried, spread_members(model.range, n_members, first), densities);
+      ReducedModel carried = model;
+      carried.inertia      = inertia_of(exponents);
+      return third_ways(carried, scene, densities);
     };
-    constexpr double share          = .1; // of the target
     const auto [exponents, quality] = choose_features(feature_sets(effects, fluid.z.rows(), region.has_mirror), fluid,
-                                                      usual_powers(seen, L), share * target_of(model.record), ways);
+                                                      usual_powers(seen, L), target_of(model.record), ways);
 
     TrainedInertia result;
     result.n_samples       = static_cast<int>(samples.points.size());

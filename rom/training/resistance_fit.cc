@@ -1,12 +1,13 @@
 #include <rom/training/resistance_fit.h>
 
 #include <rom/swimmer/dense_algebra.h>
-#include <rom/training/explored_shapes.h>
 #include <rom/training/monomial_features.h>
+#include <rom/training/sampled_shapes.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace swimtwin
 {
@@ -155,17 +156,21 @@ namespace swimtwin
                 bound); // the fewest monomials
       return;
     }
-    // The best of each set, by sets.
-    constexpr double no_worse = 3.; // times; farther off, ways are alike by chance
-    const double     rms      = best->quality.rms;
-    const auto       ways     = economy.ways ? economy.ways(resistance_) : Eigen::Matrix2Xd();
+    const Candidate        finest = *best; // the order changes
+    const Eigen::Matrix2Xd ways   = economy.ways ? economy.ways(resistance_) : Eigen::Matrix2Xd();
+    const double           worst  = economy.ways ? std::max(no_rival, economy.nearly) : economy.nearly;
     std::stable_sort(candidates.begin(), candidates.end(), [](const auto &a, const auto &b) { return a.set < b.set; });
-    std::find_if(candidates.begin(), candidates.end(), [&](const Candidate &candidate) {
-      return candidate.quality.rms <= (economy.ways ? std::max(no_worse, economy.nearly) : economy.nearly) * rms &&
-             is_within(candidate, bound) &&
-             (candidate.quality.rms <= economy.nearly * rms ||
-              relative_difference(economy.ways(resistance_), ways) <= economy.apart);
-    });
+    std::optional<std::size_t> refused; // a set of which the best sound candidate will not do
+    for (const Candidate &candidate : candidates)
+    {
+      const double worse = candidate.quality.rms / finest.quality.rms;
+      if (!(worse <= worst) || candidate.set == refused || !is_within(candidate, bound))
+        continue;
+      if (worse <= economy.nearly || are_alike(economy.ways(resistance_), ways, economy.target))
+        return;
+      refused = candidate.set;
+    }
+    is_within(finest, bound);
   }
 
   double ResistanceFit::leverage(const ShapePoint &point) const

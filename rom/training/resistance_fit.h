@@ -3,6 +3,7 @@
 #pragma once
 
 #include <datasets/reduced/reduced_model.h>
+#include <rom/training/economy.h>
 #include <rom/training/factor_entries.h>
 #include <rom/training/sample_table.h>
 #include <rom/training/sampled_region.h>
@@ -12,13 +13,13 @@
 
 namespace swimtwin
 {
-  /// How much worse than the best a fit with fewer monomials may be; each of them is paid for at each step in time.
+  /// How much worse than the best a fit with fewer monomials may be.
   struct FitEconomy
   {
-    double nearly = 1.15; ///< times the best one's error
-    /// If given, so far apart (relative_difference) the swimmer's ways may be all the same.
-    std::function<Eigen::Matrix2Xd(const ReducedResistance &)> ways;
-    double                                                     apart = 0.;
+    double nearly = nearly_as_good; ///< times the best one's error
+    /// If given, third_ways with a resistance: fits up to `no_rival` times worse will do with which they are alike.
+    std::function<Eigen::Matrix2Xd(const ReducedResistance &)> ways   = {};
+    double                                                     target = 0.; ///< of the model
   };
 
   /// Which monomials matter is told by `effects`: how much each variable at the region's edge changes the scaled

@@ -56,8 +56,8 @@ namespace swimtwin
     sampler_     = std::make_unique<ShapeSampler>([this](const ShapePoint &point) { return resistance_->at(point); },
                                               basis_.n_coordinates(), *store_, communicator_);
     choose_region(*sampler_);
-    economy_ = usual_economy();
     sample_resistance(*sampler_);
+    economise();
     hold_out_samples(*sampler_);
     judge();
   }
@@ -65,7 +65,7 @@ namespace swimtwin
   template <int dim>
   void Training<dim>::fit_finely()
   {
-    economy_ = {1., {}};
+    is_fine_ = true;
     fit(*sampler_, points_);
     judge();
   }
@@ -76,6 +76,7 @@ namespace swimtwin
     constexpr int n_rounds = 2;
     for (int round = 0; round < n_rounds; ++round)
       explore_and_fit(n / n_rounds);
+    economise();
     judge();
   }
 
@@ -267,26 +268,13 @@ namespace swimtwin
     return points;
   }
 
-  /// What is left out must not be felt beside the target.
-  template <int dim>
-  FitEconomy Training<dim>::usual_economy() const
-  {
-    constexpr int    n_members = 12, first = 500;
-    constexpr double share = .1;
-    const auto       ways  = [this](const ReducedResistance &resistance) {
-      ReducedModel model = model_;
-      model.resistance   = resistance;
-      return third_ways(model, spread_members(options_.range, n_members, first));
-    };
-    return {1.15, ways, share * options_.target};
-  }
-
   /// n more samples where the reduced swimmer goes and the fit is least sure.
   template <int dim>
   void Training<dim>::explore_and_fit(const int n)
   {
-    constexpr int n_members  = 40;
-    const auto    candidates = shapes_of(explore(model_, spread_members(options_.range, n_members, explored_), rest_));
+    constexpr int n_members = 40;
+    const auto    candidates =
+        shapes_of(explore(model_, scene_, spread_members(options_.range, n_members, explored_), rest_));
     explored_ += n_members;
     for (const auto &point : fit_->worst_supported(candidates, n))
       points_.push_back(point);
@@ -301,7 +289,26 @@ namespace swimtwin
       report("resistance samples", done, total);
       book("resistance samples");
     });
-    fit_              = std::make_unique<ResistanceFit>(samples_, region_, effects_, wandering_.usual, economy_);
+    fit_              = std::make_unique<ResistanceFit>(samples_, region_, effects_, wandering_.usual,
+                                           FitEconomy{is_fine_ ? 1. : nearly_as_good});
+    model_.resistance = fit_->resistance();
+    book("fits");
+  }
+
+  /// A fit to the same samples without what the swimmer's way does not feel. Not while samples are still chosen: they
+  /// are to do for finer fits too.
+  template <int dim>
+  void Training<dim>::economise()
+  {
+    if (is_fine_)
+      return;
+    const auto ways = [this](const ReducedResistance &resistance) {
+      ReducedModel model = model_;
+      model.resistance   = resistance;
+      return third_ways(model, scene_);
+    };
+    fit_              = std::make_unique<ResistanceFit>(samples_, region_, effects_, wandering_.usual,
+                                           FitEconomy{nearly_as_good, ways, options_.target});
     model_.resistance = fit_->resistance();
     book("fits");
   }
@@ -311,7 +318,7 @@ namespace swimtwin
   void Training<dim>::hold_out_samples(ShapeSampler &sampler)
   {
     constexpr std::size_t      n      = 60;
-    const auto                 points = explore(model_, spread_members(options_.range, n, 1000), rest_);
+    const auto                 points = explore(model_, scene_, spread_members(options_.range, n, 1000), rest_);
     std::vector<ExploredPoint> chosen;
     for (std::size_t k = 0; k < n; ++k)
       chosen.push_back(points[k * points.size() / n + 1 + k % 7]); // moving, at all phases

@@ -34,8 +34,10 @@ namespace swimtwin
 
     /// Throws InputError for snapshots of another swimmer, ComputationError where no resistance can be had.
     void make_model();
-    /// With the set of monomials that is best, not the smallest that is nearly as good.
+    /// With the set of monomials that is best, without economy.
     void fit_finely();
+    /// What comes after is fitted as usual.
+    void give_up_fine_fits() { is_fine_ = false; }
     /// Of the resistance, where the reduced swimmer goes and the fit is least sure.
     void add_samples(int n);
 
@@ -58,8 +60,8 @@ namespace swimtwin
     void                     sample_resistance(ShapeSampler &sampler);
     std::vector<ShapePoint>  sample_edge(ShapeSampler &sampler);
     void                     explore_and_fit(int n);
-    FitEconomy               usual_economy() const;
     void                     fit(ShapeSampler &sampler, const std::vector<ShapePoint> &points);
+    void                     economise();
     void                     hold_out_samples(ShapeSampler &sampler);
     void                     judge();
     void                     record_velocity_errors();
@@ -90,9 +92,9 @@ namespace swimtwin
     std::unique_ptr<SampleStore>                              store_;
     std::unique_ptr<ShapeResistance<dim>>                     resistance_;
     std::unique_ptr<ShapeSampler>                             sampler_;
-    std::vector<ShapePoint>                                   points_;       ///< where samples are wanted
-    int                                                       explored_ = 1; ///< of the range's members, the next
-    FitEconomy                                                economy_;
+    std::vector<ShapePoint>                                   points_;           ///< where samples are wanted
+    int                                                       explored_ = 1;     ///< of the range's members, the next
+    bool                                                      is_fine_  = false; ///< the fit
     std::vector<ResistanceSample>                             samples_;
     std::unique_ptr<ResistanceFit>                            fit_;
     std::vector<std::pair<ResistanceSample, Eigen::VectorXd>> held_out_samples_; ///< and velocities

@@ -94,8 +94,10 @@ namespace swimtwin
     const ReducedResistance resistance = model.resistance;
     EXPECT_NE(resistance.factor_at_rest(1, 0), 0.); // a force along the axis pushes it across
     Eigen::Index at_bend = 0;
-    while (resistance.exponents(at_bend, 0) != 1 || resistance.exponents.row(at_bend).sum() != 1)
+    while (at_bend < resistance.exponents.rows() &&
+           (resistance.exponents(at_bend, 0) != 1 || resistance.exponents.row(at_bend).sum() != 1))
       ++at_bend;
+    ASSERT_LT(at_bend, resistance.exponents.rows());
     EXPECT_NE(resistance.coefficients(at_bend, 0), 0.); // drag along the axis is not even in the bend
     const HeldOutRun &run = model.record.held_out_runs.front();
     EXPECT_NEAR(run.reduced_displacement_m, run.displacement_m, .02 * run.displacement_m);

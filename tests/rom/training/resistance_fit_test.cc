@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <numbers>
 
 namespace swimtwin
@@ -84,15 +85,28 @@ namespace swimtwin
       const ResistanceSurrogate surrogate(r, Eigen::Vector2i(-1, -1));
       Eigen::Matrix2Xd          result(2, 3);
       for (int k = 0; k < 3; ++k)
-        result.col(k) = surrogate.resistance((k + 1.) / 3. * region.coordinate_scale_m, 0.).diagonal().head<2>();
+        result.col(k) = surrogate.resistance((k + 1.) / 5. * region.coordinate_scale_m, 0.).diagonal().head<2>();
       return result;
     };
-    const auto n_monomials = [&](const FitEconomy &economy) {
-      return ResistanceFit(samples, region, effects, {}, economy).resistance().exponents.rows();
+    const auto fit_with = [&](const FitEconomy &economy) {
+      ResistanceFit fit(samples, region, effects, {}, economy);
+      EXPECT_EQ(fit.quality().n_features, fit.resistance().exponents.rows());
+      EXPECT_EQ(fit.resistance().coefficients.rows(), fit.resistance().exponents.rows());
+      return fit;
     };
-    const auto best = n_monomials({1., {}});
-    EXPECT_EQ(n_monomials({1., ways, 1e-12}), best);
-    EXPECT_LT(n_monomials({1., ways, 1e-2}), best);
+    const ResistanceFit finest = fit_with({1.});
+    const int           most   = finest.quality().n_features;
+    EXPECT_EQ(fit_with({1., ways, 1e-11}).quality().n_features, most);
+    EXPECT_LT(fit_with({1., ways, 1e-1}).quality().n_features, most);
+    // A run that fails is like no other, and what is far worse is no rival, alike or not.
+    const auto failing = [](const ReducedResistance &) {
+      return Eigen::Matrix2Xd::Constant(2, 3, std::numeric_limits<double>::quiet_NaN());
+    };
+    EXPECT_EQ(fit_with({1., failing, 1.}).quality().n_features, most);
+    const auto          indifferent = [](const ReducedResistance &) { return Eigen::Matrix2Xd::Ones(2, 3); };
+    const ResistanceFit coarsest    = fit_with({1., indifferent, 1.});
+    EXPECT_LT(coarsest.quality().n_features, most);
+    EXPECT_LE(coarsest.quality().rms, no_rival * finest.quality().rms);
   }
 
   // Off a channel's axis a bend towards the wall is felt more than one away from it.
