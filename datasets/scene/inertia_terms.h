@@ -6,7 +6,7 @@
 namespace swimtwin
 {
   /// The terms that [fluid] inertia asks for, less those of what the scene does not have or does not move. "auto" keeps
-  /// each whose share is above `negligible_share`, and none with coupling = "fixed-point", which cannot carry any. In
+  /// each whose share is above `negligible_share`, and none with a partitioned coupling, which cannot carry any. In
   /// vacuum it is [tail] inertia that asks.
   InertiaTerms inertia_terms(const Scene &scene);
 
