@@ -125,6 +125,17 @@ namespace swimtwin
     expect_refused({"time.steady=true"}, "does not go with steady = true");
   }
 
+  // There is nothing to solve in turn, and nothing of the baseline's limits holds.
+  TEST(SceneRules, OnlyAnElasticTailIsPartitioned)
+  {
+    const Overrides asked{"numerics.coupling=fixed-point"};
+    EXPECT_TRUE(parse_scene(swimmer_toml, "elastic", asked + Overrides{"fluid.inertia=none"}).is_partitioned());
+    EXPECT_FALSE(parse_scene(swimmer_toml, "monolithic").is_partitioned());
+    const Scene rigid = parse_scene(swimmer_toml, "rigid", asked + Overrides{"tail.law=rigid", "fluid.inertia=full"});
+    EXPECT_FALSE(rigid.is_partitioned());
+    EXPECT_EQ(rigid.numerics.max_coupling_iterations, Numerics{}.max_coupling_iterations);
+  }
+
   TEST(SceneRules, PartitionedCouplingNeedsAnOpenDomain)
   {
     expect_refused({"numerics.coupling=fixed-point", "domain.walls.left=no-slip", "domain.walls.right=no-slip"},
