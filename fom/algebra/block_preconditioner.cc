@@ -1,6 +1,6 @@
 #include <fom/algebra/block_preconditioner.h>
 
-#include <fom/algebra/petsc_error.h>
+#include <fom/factors/petsc_error.h>
 
 #include <string>
 #include <utility>

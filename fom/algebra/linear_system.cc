@@ -1,7 +1,7 @@
 #include <fom/algebra/linear_system.h>
 
 #include <fom/algebra/cpu_time.h>
-#include <fom/algebra/petsc_error.h>
+#include <fom/factors/petsc_error.h>
 #include <fom/algebra/solver_memory.h>
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <fom/body/swimmer.h>
-#include <fom/body/turning_field.h>
+#include <fom/unknowns/turning_field.h>
 #include <fom/fluid/fluid_domain.h>
 
 #include <optional>

@@ -1,6 +1,6 @@
 #include <rom/training/pod.h>
 
-#include <fom/algebra/petsc_error.h>
+#include <fom/factors/petsc_error.h>
 
 #include <algorithm>
 

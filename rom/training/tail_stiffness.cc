@@ -1,7 +1,7 @@
 #include <rom/training/tail_stiffness.h>
 
 #include <datasets/system/error.h>
-#include <fom/algebra/petsc_error.h>
+#include <fom/factors/petsc_error.h>
 
 #include <slepceps.h>
 

@@ -1,4 +1,4 @@
-#include <fom/body/turning_field.h>
+#include <fom/unknowns/turning_field.h>
 
 namespace swimtwin
 {

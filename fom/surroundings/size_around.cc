@@ -1,4 +1,4 @@
-#include <fom/space/size_around.h>
+#include <fom/surroundings/size_around.h>
 
 #include <fom/meshing/graded_size.h>
 

@@ -1,4 +1,4 @@
-#include <fom/algebra/turned_axes.h>
+#include <fom/factors/turned_axes.h>
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
-#include <fom/algebra/mumps_factors.h>
+#include <fom/factors/mumps_factors.h>
 
-#include <fom/algebra/petsc_error.h>
+#include <fom/factors/petsc_error.h>
 
 namespace swimtwin
 {

@@ -1,5 +1,5 @@
 #include <fom/surface/revolved_surface.h>
-#include <fom/space/spatial_walls.h>
+#include <fom/surroundings/spatial_walls.h>
 
 #include <algorithm>
 #include <limits>
