@@ -370,11 +370,15 @@ namespace swimtwin
       const Eigen::VectorXd values = symmetric_eigenvalues(d.asDiagonal() * sample.resistance * d.asDiagonal());
       r.largest_condition          = std::max(r.largest_condition, values.maxCoeff() / values.minCoeff());
     }
-    r.neglects.push_back(scene_.domain->moves_with_swimmer
-                             ? "Nothing of the pose: the domain moves with the swimmer."
-                             : fmt::format("The place along the domain: over the {:.2g} mm that the body's middle "
-                                           "went in two periods, resistance changes by at most {:.2g} %.",
-                                           1e3 * wandering_.reach_m[0], 100. * pose_.on_way));
+    constexpr double of_note = 0.01;
+    r.neglects.push_back(
+        scene_.domain->moves_with_swimmer
+            ? "Nothing of the pose: the domain moves with the swimmer."
+            : fmt::format("The place along the domain: over the {:.2g} mm that the body's middle "
+                          "went in two periods, resistance changes by at most {:.2g} % (some {:.2g} % of "
+                          "the displacement{}).",
+                          1e3 * wandering_.reach_m[0], 100. * pose_.on_way, 100. * share_of_displacement(pose_.on_way),
+                          share_of_displacement(pose_.on_way) > of_note ? "; a longer domain would help" : ""));
     if (!scene_.domain->moves_with_swimmer && !region_.depends_on_height)
       r.neglects.push_back(fmt::format("The height in the domain: over the {:.2g} mm from the usual one, resistance "
                                        "changes by at most {:.2g} % (some {:.2g} % of the displacement).",
