@@ -8,8 +8,8 @@
 #include <rom/swimmer/dense_algebra.h>
 #include <rom/training/economy.h>
 #include <rom/training/explored_shapes.h>
-#include <rom/training/monomial_features.h>
 #include <rom/training/factor_entries.h>
+#include <rom/training/monomial_features.h>
 
 #include <fmt/format.h>
 
@@ -164,13 +164,9 @@ namespace swimtwin
     InertiaFitQuality cross_validate(const Eigen::MatrixXi &exponents, const InertiaTable &table,
                                      const Eigen::VectorXd &power)
     {
-      constexpr int   n_folds = 5;
       Eigen::VectorXd off = Eigen::VectorXd::Zero(2), all = off;
-      for (int fold = 0; fold < n_folds; ++fold)
+      for (const auto &[kept, held] : five_folds(table.z.rows()))
       {
-        std::vector<int> kept, held;
-        for (int k = 0; k < table.z.rows(); ++k)
-          (k > 0 && k % n_folds == fold ? held : kept).push_back(k);
         const InertiaTable    test = table.rows(held);
         const Eigen::MatrixXd wrong =
             test.weight.asDiagonal() * (design(exponents, test.z) * fit(exponents, table.rows(kept)) - test.values);

@@ -56,6 +56,16 @@ namespace swimtwin
     return all;
   }
 
+  std::vector<Fold> five_folds(const Eigen::Index n_rows)
+  {
+    constexpr int     n = 5;
+    std::vector<Fold> folds(n);
+    for (int fold = 0; fold < n; ++fold)
+      for (int k = 0; k < n_rows; ++k)
+        (k > 0 && k % n == fold ? folds[fold].held : folds[fold].kept).push_back(k);
+    return folds;
+  }
+
   std::vector<int> of_parity(const Eigen::MatrixXi &exponents, const int odd)
   {
     std::vector<int> rows;

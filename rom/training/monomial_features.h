@@ -14,6 +14,14 @@ namespace swimtwin
   /// 0, 1, ... n - 1: all rows, or columns.
   std::vector<int> counted(Eigen::Index n);
 
+  /// Rows of a table for one of the turns of a cross-validation.
+  struct Fold
+  {
+    std::vector<int> kept, held;
+  };
+  /// Every row but the first, rest, which is always kept, is held back in one of five.
+  std::vector<Fold> five_folds(Eigen::Index n_rows);
+
   /// Rows of one parity. Every variable is odd, so the parity of a monomial is that of its degree.
   std::vector<int> of_parity(const Eigen::MatrixXi &exponents, int odd);
 

@@ -89,14 +89,10 @@ namespace swimtwin
   FitQuality cross_validate(const Eigen::MatrixXi &exponents, const SampleTable &table, const SampleTable &guide,
                             const FitRestraint &restraint)
   {
-    constexpr int       n_folds = 5;
     FitQuality          quality{0., 0., static_cast<int>(exponents.rows())};
     std::vector<double> errors, weights;
-    for (int fold = 0; fold < n_folds; ++fold)
+    for (const auto &[kept, held] : five_folds(table.z.rows()))
     {
-      std::vector<int> kept, held;
-      for (int k = 0; k < table.z.rows(); ++k)
-        (k > 0 && k % n_folds == fold ? held : kept).push_back(k);
       const SampleTable     test = table.rows(held);
       const Eigen::MatrixXd fitted =
           design(exponents, test.z) * fit_restrained(exponents, table.rows(kept), guide, restraint);

@@ -52,7 +52,7 @@ namespace swimtwin
   Eigen::MatrixXd fit_restrained(const Eigen::MatrixXi &exponents, const SampleTable &table, const SampleTable &guide,
                                  const FitRestraint &restraint);
 
-  /// By five-fold cross-validation; the first row, rest, is always kept.
+  /// By cross-validation over five_folds.
   FitQuality cross_validate(const Eigen::MatrixXi &exponents, const SampleTable &table, const SampleTable &guide,
                             const FitRestraint &restraint);
 } // namespace swimtwin

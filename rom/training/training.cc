@@ -57,7 +57,6 @@ namespace swimtwin
                                               basis_.n_coordinates(), *store_, communicator_);
     choose_region(*sampler_);
     sample_resistance(*sampler_);
-    economise();
     hold_out_samples(*sampler_);
     judge();
   }
@@ -66,7 +65,7 @@ namespace swimtwin
   void Training<dim>::fit_finely()
   {
     is_fine_ = true;
-    fit(*sampler_, points_);
+    fit(*sampler_, points_, economy(true));
     judge();
   }
 
@@ -75,8 +74,7 @@ namespace swimtwin
   {
     constexpr int n_rounds = 2;
     for (int round = 0; round < n_rounds; ++round)
-      explore_and_fit(n / n_rounds);
-    economise();
+      explore_and_fit(n / n_rounds, round + 1 == n_rounds);
     judge();
   }
 
@@ -226,10 +224,10 @@ namespace swimtwin
       points_.push_back(point);
     for (const auto &point : filling_points(region_, rest_, third))
       points_.push_back(point);
-    fit(sampler, points_);
+    fit(sampler, points_, economy(false));
     constexpr int n_rounds = 3;
     for (int round = 0; round < n_rounds; ++round)
-      explore_and_fit(third / n_rounds);
+      explore_and_fit(third / n_rounds, round + 1 == n_rounds);
   }
 
   /// Rest, and the region's edge in every variable: one end, whose mirror image the other is, else those of both ends
@@ -270,7 +268,7 @@ namespace swimtwin
 
   /// n more samples where the reduced swimmer goes and the fit is least sure.
   template <int dim>
-  void Training<dim>::explore_and_fit(const int n)
+  void Training<dim>::explore_and_fit(const int n, const bool is_last)
   {
     constexpr int n_members = 40;
     const auto    candidates =
@@ -278,39 +276,37 @@ namespace swimtwin
     explored_ += n_members;
     for (const auto &point : fit_->worst_supported(candidates, n))
       points_.push_back(point);
-    fit(*sampler_, points_);
+    fit(*sampler_, points_, economy(is_last));
   }
 
   template <int dim>
-  void Training<dim>::fit(ShapeSampler &sampler, const std::vector<ShapePoint> &points)
+  void Training<dim>::fit(ShapeSampler &sampler, const std::vector<ShapePoint> &points, const FitEconomy &economy)
   {
     const int total   = std::max(options_.n_samples, static_cast<int>(points.size()));
     samples_          = sampler.sample(points, [&](const int done, int) {
       report("resistance samples", done, total);
       book("resistance samples");
     });
-    fit_              = std::make_unique<ResistanceFit>(samples_, region_, effects_, wandering_.usual,
-                                           FitEconomy{is_fine_ ? 1. : nearly_as_good});
+    fit_              = std::make_unique<ResistanceFit>(samples_, region_, effects_, wandering_.usual, economy);
     model_.resistance = fit_->resistance();
     book("fits");
   }
 
-  /// A fit to the same samples without what the swimmer's way does not feel. Not while samples are still chosen: they
-  /// are to do for finer fits too.
+  /// What the swimmer's way does not feel is left out at last alone: until then samples are chosen, which are to do for
+  /// finer fits too.
   template <int dim>
-  void Training<dim>::economise()
+  FitEconomy Training<dim>::economy(const bool is_last) const
   {
     if (is_fine_)
-      return;
+      return {1.};
+    if (!is_last)
+      return {};
     const auto ways = [this](const ReducedResistance &resistance) {
       ReducedModel model = model_;
       model.resistance   = resistance;
       return third_ways(model, scene_);
     };
-    fit_              = std::make_unique<ResistanceFit>(samples_, region_, effects_, wandering_.usual,
-                                           FitEconomy{nearly_as_good, ways, options_.target});
-    model_.resistance = fit_->resistance();
-    book("fits");
+    return {nearly_as_good, ways, options_.target};
   }
 
   /// Shapes of the reduced swimmer's own runs that no sample is near to.

@@ -59,16 +59,16 @@ namespace swimtwin
     double                   share_of_displacement(double change) const;
     void                     sample_resistance(ShapeSampler &sampler);
     std::vector<ShapePoint>  sample_edge(ShapeSampler &sampler);
-    void                     explore_and_fit(int n);
-    void                     fit(ShapeSampler &sampler, const std::vector<ShapePoint> &points);
-    void                     economise();
-    void                     hold_out_samples(ShapeSampler &sampler);
-    void                     judge();
-    void                     record_velocity_errors();
-    void                     record();
-    void                     compare();
-    void                     book(const std::string &purpose) { budget_.book(purpose); }
-    void                     report(const std::string &stage, int done, int total) const;
+    void                     explore_and_fit(int n, bool is_last);
+    FitEconomy               economy(bool is_last) const;
+    void fit(ShapeSampler &sampler, const std::vector<ShapePoint> &points, const FitEconomy &economy);
+    void hold_out_samples(ShapeSampler &sampler);
+    void judge();
+    void record_velocity_errors();
+    void record();
+    void compare();
+    void book(const std::string &purpose) { budget_.book(purpose); }
+    void report(const std::string &stage, int done, int total) const;
 
     const Scene                                              &scene_;
     const TrainingOptions                                    &options_;
