@@ -14,13 +14,13 @@
 #include <app/written_files.h>
 #include <calibration/run/calibrate.h>
 #include <calibration/run/fitted_scene.h>
-#include <datasets/system/clocks.h>
-#include <datasets/system/console.h>
-#include <datasets/text/csv_table.h>
-#include <datasets/system/error.h>
 #include <datasets/scene/dimensionless_groups.h>
 #include <datasets/scene/inertia_terms.h>
+#include <datasets/system/clocks.h>
+#include <datasets/system/console.h>
+#include <datasets/system/error.h>
 #include <datasets/system/provenance.h>
+#include <datasets/text/csv_table.h>
 #include <reports/fit/calibration_files.h>
 #include <reports/fit/calibration_pictures.h>
 #include <reports/fit/calibration_report.h>

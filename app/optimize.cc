@@ -12,11 +12,11 @@
 #include <app/written_files.h>
 #include <control/field/field_import.h>
 #include <control/goal/goal_file.h>
-#include <control/stroke/gradient_check.h>
 #include <control/goal/measured_field.h>
+#include <control/stroke/gradient_check.h>
+#include <datasets/scene/field_program_writer.h>
 #include <datasets/system/console.h>
 #include <datasets/system/error.h>
-#include <datasets/scene/field_program_writer.h>
 #include <datasets/system/provenance.h>
 #include <reports/page/illustrated_page.h>
 #include <reports/page/number_text.h>

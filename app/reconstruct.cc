@@ -8,10 +8,10 @@
 #include <app/shipped_files.h>
 #include <app/verb.h>
 #include <app/written_files.h>
+#include <datasets/run/run_summary_json.h>
 #include <datasets/system/console.h>
 #include <datasets/system/error.h>
 #include <datasets/system/provenance.h>
-#include <datasets/run/run_summary_json.h>
 #include <reports/run/draw_run.h>
 #include <rom/integration/swimmer_integrator.h>
 #include <rom/sweep/reconstruction.h>

@@ -2,11 +2,11 @@
 #include <app/claimed_folder.h>
 #include <app/verb.h>
 #include <app/written_files.h>
-#include <datasets/system/console.h>
-#include <datasets/system/error.h>
 #include <datasets/files/folder_lock.h>
 #include <datasets/files/input_file.h>
 #include <datasets/files/output_folder.h>
+#include <datasets/system/console.h>
+#include <datasets/system/error.h>
 #include <datasets/system/provenance.h>
 #include <reports/fit/calibration_pictures.h>
 #include <reports/fit/calibration_report.h>

@@ -7,10 +7,10 @@
 #include <app/value_list.h>
 #include <app/verb.h>
 #include <app/written_files.h>
-#include <datasets/system/clocks.h>
-#include <datasets/system/console.h>
 #include <datasets/scene/dimensionless_groups.h>
 #include <datasets/scene/inertia_terms.h>
+#include <datasets/system/clocks.h>
+#include <datasets/system/console.h>
 #include <datasets/system/error.h>
 #include <datasets/system/provenance.h>
 #include <reports/page/draw_pictures.h>

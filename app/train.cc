@@ -2,9 +2,9 @@
 #include <app/train.h>
 
 #include <app/value_list.h>
+#include <datasets/run/snapshot_set.h>
 #include <datasets/scene/dimensionless_groups.h>
 #include <datasets/system/error.h>
-#include <datasets/run/snapshot_set.h>
 
 #include <fmt/format.h>
 

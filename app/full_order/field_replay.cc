@@ -3,11 +3,11 @@
 #include <app/progress_bar.h>
 #include <control/goal/measured_field.h>
 #include <control/stroke/settled_start.h>
-#include <datasets/system/error.h>
-#include <datasets/scene/field_program_writer.h>
 #include <datasets/files/output_folder.h>
+#include <datasets/scene/field_program_writer.h>
 #include <datasets/scene/inertia_terms.h>
 #include <datasets/scene/scene_field.h>
+#include <datasets/system/error.h>
 #include <fom/run/simulation.h>
 #include <reports/plan/plan_files.h>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <app/verb.h>
-#include <datasets/run/plan_result.h>
 #include <datasets/reduced/reduced_model.h>
+#include <datasets/run/plan_result.h>
 
 namespace swimtwin
 {

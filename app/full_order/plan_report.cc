@@ -4,8 +4,8 @@
 #include <app/claimed_folder.h>
 #include <app/ranks.h>
 #include <app/written_files.h>
-#include <datasets/system/console.h>
 #include <datasets/files/output_folder.h>
+#include <datasets/system/console.h>
 #include <fom/run/run_plan.h>
 #include <reports/page/number_text.h>
 

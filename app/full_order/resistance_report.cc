@@ -4,9 +4,9 @@
 #include <app/claimed_folder.h>
 #include <app/ranks.h>
 #include <app/written_files.h>
+#include <datasets/files/output_folder.h>
 #include <datasets/system/console.h>
 #include <datasets/system/error.h>
-#include <datasets/files/output_folder.h>
 #include <datasets/system/provenance.h>
 #include <fom/resistance/resistance.h>
 

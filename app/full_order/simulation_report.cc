@@ -5,9 +5,9 @@
 #include <app/progress_bar.h>
 #include <app/ranks.h>
 #include <app/written_files.h>
+#include <datasets/run/run_summary_json.h>
 #include <datasets/system/console.h>
 #include <datasets/system/error.h>
-#include <datasets/run/run_summary_json.h>
 #include <fom/run/simulation.h>
 #include <reports/run/draw_run.h>
 #include <reports/run/simulation_report.h>

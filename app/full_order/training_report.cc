@@ -6,10 +6,10 @@
 #include <app/shipped_files.h>
 #include <app/stage_bar.h>
 #include <app/written_files.h>
+#include <datasets/files/output_folder.h>
 #include <datasets/reduced/held_out_error.h>
 #include <datasets/system/console.h>
 #include <datasets/system/error.h>
-#include <datasets/files/output_folder.h>
 #include <reports/sweep/model_card.h>
 #include <rom/training/aimed_training.h>
 

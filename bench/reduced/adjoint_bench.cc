@@ -1,9 +1,9 @@
 // Price and error of the adjoint beside forward sensitivities: bench_adjoint MODEL.h5
 #include <datasets/system/clocks.h>
 #include <datasets/system/error.h>
+#include <rom/integration/swimmer_integrator.h>
 #include <rom/sensitivity/adjoint_integrator.h>
 #include <rom/swimmer/bspline_field.h>
-#include <rom/integration/swimmer_integrator.h>
 
 #include <fmt/format.h>
 

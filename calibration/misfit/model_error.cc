@@ -1,5 +1,5 @@
-#include <datasets/reduced/held_out_error.h>
 #include <calibration/misfit/model_error.h>
+#include <datasets/reduced/held_out_error.h>
 
 #include <rom/swimmer/dense_algebra.h>
 

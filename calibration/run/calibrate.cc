@@ -1,8 +1,8 @@
+#include <calibration/fit/fit_requirements.h>
+#include <calibration/fit/noise_level.h>
 #include <calibration/run/calibrate.h>
 #include <calibration/run/calibration_warnings.h>
-#include <calibration/fit/fit_requirements.h>
 #include <calibration/run/full_order_check.h>
-#include <calibration/fit/noise_level.h>
 #include <calibration/uncertainty/null_reading.h>
 #include <calibration/uncertainty/parameter_summary.h>
 #include <datasets/scene/inertia_terms.h>

@@ -1,5 +1,5 @@
-#include <calibration/run/calibration_warnings.h>
 #include <calibration/fit/noise_level.h>
+#include <calibration/run/calibration_warnings.h>
 
 #include <boost/math/distributions/chi_squared.hpp>
 #include <fmt/format.h>

@@ -1,10 +1,10 @@
 #include <calibration/run/fitted_scene.h>
 
-#include <datasets/system/error.h>
 #include <datasets/scene/field_period.h>
 #include <datasets/scene/field_program_writer.h>
 #include <datasets/scene/inertia_terms.h>
 #include <datasets/scene/scene_field.h>
+#include <datasets/system/error.h>
 
 #include <fmt/format.h>
 

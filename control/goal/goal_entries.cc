@@ -1,5 +1,5 @@
-#include <control/goal/goal_entries.h>
 #include <control/field/steering_limits.h>
+#include <control/goal/goal_entries.h>
 
 #include <fmt/format.h>
 

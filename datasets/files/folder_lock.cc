@@ -1,5 +1,5 @@
-#include <datasets/system/error.h>
 #include <datasets/files/folder_lock.h>
+#include <datasets/system/error.h>
 #include <datasets/system/provenance.h>
 
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
-#include <datasets/system/error.h>
 #include <datasets/files/hdf5_file.h>
 #include <datasets/files/hdf5_open.h>
 #include <datasets/files/hdf5_text.h>
 #include <datasets/files/output_folder.h>
+#include <datasets/system/error.h>
 
 #include <fmt/format.h>
 #include <hdf5.h>

@@ -1,7 +1,7 @@
-#include <datasets/system/error.h>
 #include <datasets/files/hdf5_file.h>
 #include <datasets/files/hdf5_open.h>
 #include <datasets/files/input_file.h>
+#include <datasets/system/error.h>
 #include <datasets/system/provenance.h>
 
 #include <fmt/format.h>

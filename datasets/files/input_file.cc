@@ -1,5 +1,5 @@
-#include <datasets/system/error.h>
 #include <datasets/files/input_file.h>
+#include <datasets/system/error.h>
 #include <datasets/system/nearest_name.h>
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
-#include <datasets/system/error.h>
 #include <datasets/files/output_claim.h>
+#include <datasets/system/error.h>
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
-#include <datasets/system/error.h>
 #include <datasets/files/output_folder.h>
+#include <datasets/system/error.h>
 
 #include <fmt/format.h>
 

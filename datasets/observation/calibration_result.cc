@@ -1,6 +1,6 @@
+#include <datasets/files/json_entries.h>
 #include <datasets/observation/calibration_result.h>
 #include <datasets/system/error.h>
-#include <datasets/files/json_entries.h>
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 // Points of displacement or mean speed against frequency, from a table.
 #pragma once
 
+#include <datasets/observation/observation_set.h>
 #include <datasets/text/csv_table.h>
 #include <datasets/tracks/data_problems.h>
-#include <datasets/observation/observation_set.h>
 
 namespace swimtwin
 {

@@ -1,11 +1,11 @@
-#include <datasets/tracks/data_problems.h>
-#include <datasets/tracks/deeplabcut_table.h>
 #include <datasets/observation/observation_curve.h>
 #include <datasets/observation/observation_files.h>
 #include <datasets/observation/observation_names.h>
 #include <datasets/observation/observation_set.h>
-#include <datasets/tracks/observation_sidecar.h>
 #include <datasets/observation/track_observation.h>
+#include <datasets/tracks/data_problems.h>
+#include <datasets/tracks/deeplabcut_table.h>
+#include <datasets/tracks/observation_sidecar.h>
 #include <datasets/tracks/trackmate_table.h>
 
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 // What a laboratory observed of one swimmer in one field: displacement per period against frequency, with error bars.
 #pragma once
 
-#include <datasets/tracks/data_problems.h>
 #include <datasets/scene/field_program.h>
+#include <datasets/tracks/data_problems.h>
 
 #include <filesystem>
 #include <map>

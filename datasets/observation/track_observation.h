@@ -1,8 +1,8 @@
 // From a tracked head to a point of the curve of displacement against frequency.
 #pragma once
 
-#include <datasets/tracks/head_track.h>
 #include <datasets/observation/observation_set.h>
+#include <datasets/tracks/head_track.h>
 
 #include <optional>
 

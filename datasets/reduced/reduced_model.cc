@@ -1,5 +1,5 @@
-#include <datasets/system/error.h>
 #include <datasets/reduced/reduced_model.h>
+#include <datasets/system/error.h>
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
-#include <datasets/system/error.h>
 #include <datasets/files/hdf5_file.h>
 #include <datasets/files/hdf5_provenance.h>
 #include <datasets/reduced/reduced_model.h>
 #include <datasets/reduced/reduced_model_rules.h>
 #include <datasets/reduced/training_record_file.h>
+#include <datasets/system/error.h>
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
-#include <datasets/system/error.h>
 #include <datasets/files/json_entries.h>
 #include <datasets/run/plan_result.h>
+#include <datasets/system/error.h>
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
-#include <datasets/system/error.h>
 #include <datasets/files/json_entries.h>
 #include <datasets/run/run_summary_json.h>
+#include <datasets/system/error.h>
 
 #include <fmt/format.h>
 

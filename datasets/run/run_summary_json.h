@@ -1,8 +1,8 @@
 // summary.json: the figures of one run and where they came from.
 #pragma once
 
-#include <datasets/system/provenance.h>
 #include <datasets/run/trajectory.h>
+#include <datasets/system/provenance.h>
 
 #include <filesystem>
 

@@ -1,7 +1,7 @@
+#include <datasets/run/work_balance.h>
+#include <datasets/system/error.h>
 #include <datasets/text/csv_table.h>
 #include <datasets/text/csv_writer.h>
-#include <datasets/system/error.h>
-#include <datasets/run/work_balance.h>
 
 #include <fmt/format.h>
 

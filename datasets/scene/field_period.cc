@@ -1,7 +1,7 @@
-#include <datasets/text/csv_table.h>
-#include <datasets/system/error.h>
-#include <datasets/scene/field_period.h>
 #include <datasets/files/json_entries.h>
+#include <datasets/scene/field_period.h>
+#include <datasets/system/error.h>
+#include <datasets/text/csv_table.h>
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
-#include <datasets/text/csv_table.h>
-#include <datasets/system/error.h>
 #include <datasets/scene/field_period.h>
 #include <datasets/scene/field_program.h>
 #include <datasets/scene/median_step.h>
+#include <datasets/system/error.h>
+#include <datasets/text/csv_table.h>
 
 #include <fmt/format.h>
 

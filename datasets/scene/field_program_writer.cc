@@ -1,9 +1,9 @@
-#include <datasets/text/csv_writer.h>
-#include <datasets/system/error.h>
+#include <datasets/files/json_entries.h>
 #include <datasets/scene/field_period.h>
 #include <datasets/scene/field_program_writer.h>
-#include <datasets/files/json_entries.h>
+#include <datasets/system/error.h>
 #include <datasets/system/provenance.h>
+#include <datasets/text/csv_writer.h>
 
 #include <fmt/format.h>
 

@@ -3,8 +3,8 @@
 #include <datasets/scene/tail_outline.h>
 #include <datasets/surface/closed_surface.h>
 
-#include <cmath>
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace swimtwin

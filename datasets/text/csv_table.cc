@@ -1,6 +1,6 @@
+#include <datasets/system/error.h>
 #include <datasets/text/csv_table.h>
 #include <datasets/text/delimited_text.h>
-#include <datasets/system/error.h>
 #include <datasets/text/foreign_format.h>
 #include <datasets/text/text_decoding.h>
 #include <datasets/text/text_line.h>

@@ -1,5 +1,5 @@
-#include <datasets/text/delimited_text.h>
 #include <datasets/system/error.h>
+#include <datasets/text/delimited_text.h>
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
-#include <datasets/text/foreign_format.h>
 #include <datasets/files/input_file.h>
+#include <datasets/text/foreign_format.h>
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
-#include <datasets/system/error.h>
 #include <datasets/files/input_file.h>
+#include <datasets/system/error.h>
 #include <datasets/text/text_decoding.h>
 
 #include <fmt/format.h>

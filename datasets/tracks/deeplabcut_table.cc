@@ -1,6 +1,6 @@
+#include <datasets/text/unit_names.h>
 #include <datasets/tracks/deeplabcut_table.h>
 #include <datasets/tracks/observed_cells.h>
-#include <datasets/text/unit_names.h>
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #include <datasets/scene/field_period.h>
-#include <datasets/tracks/observation_sidecar.h>
 #include <datasets/text/text_decoding.h>
 #include <datasets/text/toml_table.h>
 #include <datasets/text/unit_names.h>
+#include <datasets/tracks/observation_sidecar.h>
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // The TOML file beside observations: where they come from and how they were measured.
 #pragma once
 
-#include <datasets/tracks/data_problems.h>
 #include <datasets/scene/field_program.h>
+#include <datasets/tracks/data_problems.h>
 
 #include <array>
 #include <filesystem>

@@ -1,7 +1,7 @@
 #include <datasets/system/nearest_name.h>
-#include <datasets/tracks/observed_cells.h>
 #include <datasets/text/toml_table.h>
 #include <datasets/text/unit_names.h>
+#include <datasets/tracks/observed_cells.h>
 
 #include <fmt/format.h>
 

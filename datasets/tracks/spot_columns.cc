@@ -1,5 +1,5 @@
-#include <datasets/tracks/spot_columns.h>
 #include <datasets/text/unit_names.h>
+#include <datasets/tracks/spot_columns.h>
 
 #include <fmt/format.h>
 

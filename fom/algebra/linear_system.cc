@@ -1,8 +1,8 @@
 #include <fom/algebra/linear_system.h>
 
 #include <fom/algebra/cpu_time.h>
-#include <fom/factors/petsc_error.h>
 #include <fom/algebra/solver_memory.h>
+#include <fom/factors/petsc_error.h>
 
 #include <algorithm>
 #include <cmath>

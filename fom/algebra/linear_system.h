@@ -3,9 +3,9 @@
 
 #include <datasets/scene/scene.h>
 #include <fom/algebra/block_preconditioner.h>
+#include <fom/algebra/standard_iteration.h>
 #include <fom/factors/kept_factors.h>
 #include <fom/factors/mumps_factors.h>
-#include <fom/algebra/standard_iteration.h>
 #include <fom/factors/turned_axes.h>
 
 #include <petscksp.h>

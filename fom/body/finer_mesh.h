@@ -1,8 +1,8 @@
 // The mesh size that a scene needs, found by trying.
 #pragma once
 
-#include <datasets/system/error.h>
 #include <datasets/scene/scene.h>
+#include <datasets/system/error.h>
 
 #include <functional>
 

@@ -1,8 +1,8 @@
 // The elastic tail alone, clamped to its head and loaded at its nodes: the structure's part of a partitioned coupling.
 #pragma once
 
-#include <fom/unknowns/condensation.h>
 #include <fom/body/swimmer.h>
+#include <fom/unknowns/condensation.h>
 
 namespace swimtwin
 {

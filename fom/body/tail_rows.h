@@ -1,8 +1,8 @@
 // The tail's rows in a motion map.
 #pragma once
 
-#include <fom/unknowns/motion_map.h>
 #include <fom/body/swimmer.h>
+#include <fom/unknowns/motion_map.h>
 
 namespace swimtwin
 {

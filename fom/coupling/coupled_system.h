@@ -2,8 +2,8 @@
 #pragma once
 
 #include <fom/body/swimmer.h>
-#include <fom/unknowns/turning_field.h>
 #include <fom/fluid/fluid_domain.h>
+#include <fom/unknowns/turning_field.h>
 
 namespace swimtwin
 {

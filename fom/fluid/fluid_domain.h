@@ -4,13 +4,13 @@
 
 #include <datasets/scene/inertia_terms.h>
 #include <fom/algebra/bdf2.h>
-#include <fom/unknowns/condensation.h>
-#include <fom/unknowns/mirror_pairs.h>
 #include <fom/fluid/fluid_inertia.h>
 #include <fom/fluid/fluid_motion.h>
 #include <fom/fluid/mesh_motion.h>
 #include <fom/fluid/streamline_stabilization.h>
 #include <fom/mesh/fluid_mesh.h>
+#include <fom/unknowns/condensation.h>
+#include <fom/unknowns/mirror_pairs.h>
 
 #include <memory>
 #include <optional>

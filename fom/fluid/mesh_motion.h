@@ -2,9 +2,9 @@
 #pragma once
 
 #include <datasets/scene/scene.h>
+#include <fom/geometry/simplex_mesh.h>
 #include <fom/unknowns/condensation.h>
 #include <fom/unknowns/mirror_pairs.h>
-#include <fom/geometry/simplex_mesh.h>
 
 #include <memory>
 

@@ -1,8 +1,8 @@
 // The body at rest, meshed once: its surface, its tail, and which of their nodes are the same.
 #pragma once
 
-#include <fom/surface/surface_mesh.h>
 #include <fom/mesh/tail_mesh.h>
+#include <fom/surface/surface_mesh.h>
 
 #include <memory>
 

@@ -1,9 +1,9 @@
 #include <fom/mesh/fluid_mesh.h>
 
 #include <fom/geometry/reflection.h>
-#include <fom/meshing/triangulate.h>
 #include <fom/mesh/inverted_element.h>
 #include <fom/mesh/wall_loop.h>
+#include <fom/meshing/triangulate.h>
 
 #include <algorithm>
 #include <cmath>

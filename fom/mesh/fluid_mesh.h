@@ -4,8 +4,8 @@
 #include <datasets/scene/scene.h>
 #include <fom/geometry/planar_curve.h>
 #include <fom/geometry/rigid_pose.h>
-#include <fom/mesh/body_mesh.h>
 #include <fom/geometry/simplex_mesh.h>
+#include <fom/mesh/body_mesh.h>
 
 namespace swimtwin
 {

@@ -1,8 +1,8 @@
 #include <fom/mesh/tail_mesh.h>
 
 #include <fom/geometry/reflection.h>
-#include <fom/meshing/triangulate.h>
 #include <fom/mesh/inverted_element.h>
+#include <fom/meshing/triangulate.h>
 
 namespace swimtwin
 {

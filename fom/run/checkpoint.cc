@@ -1,8 +1,8 @@
 #include <fom/run/checkpoint.h>
 
-#include <datasets/system/error.h>
 #include <datasets/files/hdf5_file.h>
 #include <datasets/files/hdf5_open.h>
+#include <datasets/system/error.h>
 
 #include <fmt/format.h>
 

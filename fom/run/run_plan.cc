@@ -4,10 +4,10 @@
 #include <datasets/scene/inertia_terms.h>
 #include <datasets/scene/mirror_plane.h>
 #include <datasets/surface/closed_surface.h>
-#include <fom/fluid/streamline_stabilization.h>
 #include <fom/algebra/linear_system.h>
 #include <fom/algebra/solver_memory.h>
 #include <fom/body/mesh_around.h>
+#include <fom/fluid/streamline_stabilization.h>
 #include <fom/step/full_order_model.h>
 
 #include <fmt/format.h>

@@ -1,14 +1,14 @@
 #include <fom/run/simulation.h>
 
-#include <datasets/system/clocks.h>
-#include <datasets/system/error.h>
 #include <datasets/files/folder_lock.h>
+#include <datasets/files/output_folder.h>
+#include <datasets/run/run_summary_json.h>
 #include <datasets/scene/dimensionless_groups.h>
 #include <datasets/scene/inertia_terms.h>
 #include <datasets/scene/mirror_plane.h>
-#include <datasets/files/output_folder.h>
+#include <datasets/system/clocks.h>
+#include <datasets/system/error.h>
 #include <datasets/system/provenance.h>
-#include <datasets/run/run_summary_json.h>
 #include <fom/run/checkpoint.h>
 #include <fom/run/field_output.h>
 #include <fom/run/run_plan.h>

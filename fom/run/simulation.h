@@ -1,9 +1,9 @@
 // A whole run: step, record, checkpoint, write.
 #pragma once
 
-#include <datasets/scene/scene.h>
 #include <datasets/run/snapshot_set.h>
 #include <datasets/run/trajectory.h>
+#include <datasets/scene/scene.h>
 
 #include <mpi.h>
 

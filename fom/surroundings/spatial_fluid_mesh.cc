@@ -3,10 +3,10 @@
 #include <fom/mesh/fluid_mesh.h>
 #include <fom/mesh/inverted_element.h>
 #include <fom/meshing/graded_size.h>
+#include <fom/space/untangling.h>
 #include <fom/surroundings/names_of_walls.h>
 #include <fom/surroundings/size_around.h>
 #include <fom/surroundings/spatial_walls.h>
-#include <fom/space/untangling.h>
 
 namespace swimtwin
 {

@@ -1,8 +1,8 @@
 // Meshes that are their own mirror images: which node is whose image, and what that ties together.
 #pragma once
 
-#include <fom/unknowns/motion_map.h>
 #include <fom/geometry/simplex_mesh.h>
+#include <fom/unknowns/motion_map.h>
 
 namespace swimtwin
 {

@@ -1,7 +1,7 @@
 #include <reports/fit/calibration_files.h>
 
-#include <datasets/text/csv_writer.h>
 #include <datasets/files/output_folder.h>
+#include <datasets/text/csv_writer.h>
 #include <datasets/text/text_line.h>
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include <reports/page/illustrated_page.h>
 
-#include <datasets/system/console.h>
 #include <datasets/files/output_folder.h>
+#include <datasets/system/console.h>
 #include <reports/page/draw_pictures.h>
 
 #include <fmt/format.h>

@@ -1,9 +1,9 @@
 // What `optimize` leaves in its folder, and reading it back.
 #pragma once
 
-#include <datasets/scene/field_program.h>
 #include <datasets/run/plan_result.h>
 #include <datasets/run/trajectory.h>
+#include <datasets/scene/field_program.h>
 
 #include <filesystem>
 #include <string>

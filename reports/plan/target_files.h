@@ -1,8 +1,8 @@
 // The files of a swim to a target.
 #pragma once
 
-#include <control/steering/plant.h>
 #include <control/goal/target_goal.h>
+#include <control/steering/plant.h>
 #include <datasets/run/refinement.h>
 #include <datasets/system/provenance.h>
 

@@ -1,8 +1,8 @@
 #include <reports/plan/track_files.h>
 
+#include <datasets/scene/field_program_writer.h>
 #include <datasets/scene/inertia_terms.h>
 #include <datasets/text/csv_writer.h>
-#include <datasets/scene/field_program_writer.h>
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 // The pictures of a run.
 #pragma once
 
-#include <datasets/scene/scene.h>
 #include <datasets/run/snapshot_set.h>
 #include <datasets/run/trajectory.h>
+#include <datasets/scene/scene.h>
 #include <reports/page/gnuplot.h>
 
 #include <filesystem>

@@ -1,8 +1,8 @@
 // What the pictures of a run show, computed from its trajectory.
 #pragma once
 
-#include <datasets/scene/scene.h>
 #include <datasets/run/work_balance.h>
+#include <datasets/scene/scene.h>
 
 #include <span>
 #include <string>

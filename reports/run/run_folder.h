@@ -2,9 +2,9 @@
 #pragma once
 
 #include <datasets/run/run_summary_json.h>
-#include <datasets/scene/scene.h>
 #include <datasets/run/snapshot_set.h>
 #include <datasets/run/trajectory.h>
+#include <datasets/scene/scene.h>
 
 #include <filesystem>
 #include <optional>

@@ -1,9 +1,9 @@
 // What the pictures of a run have in common: the run they show, a heading, a time axis.
 #pragma once
 
-#include <datasets/scene/scene.h>
 #include <datasets/run/snapshot_set.h>
 #include <datasets/run/trajectory.h>
+#include <datasets/scene/scene.h>
 #include <reports/page/gnuplot.h>
 #include <reports/run/motion_curves.h>
 

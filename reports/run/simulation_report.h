@@ -1,8 +1,8 @@
 // What the tool says after a run.
 #pragma once
 
-#include <datasets/scene/scene.h>
 #include <datasets/run/trajectory.h>
+#include <datasets/scene/scene.h>
 
 #include <string>
 

@@ -1,8 +1,8 @@
 // Outlines of a swimmer in motion, in the laboratory frame.
 #pragma once
 
-#include <datasets/scene/scene.h>
 #include <datasets/run/snapshot_set.h>
+#include <datasets/scene/scene.h>
 
 #include <array>
 #include <vector>

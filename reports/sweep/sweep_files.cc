@@ -1,10 +1,10 @@
 #include <reports/sweep/sweep_files.h>
 
-#include <datasets/reduced/held_out_error.h>
-#include <datasets/text/csv_writer.h>
 #include <datasets/files/hdf5_file.h>
 #include <datasets/files/hdf5_provenance.h>
 #include <datasets/files/json_entries.h>
+#include <datasets/reduced/held_out_error.h>
+#include <datasets/text/csv_writer.h>
 #include <datasets/text/text_line.h>
 
 #include <fmt/format.h>

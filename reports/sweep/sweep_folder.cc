@@ -1,7 +1,7 @@
 #include <reports/sweep/sweep_folder.h>
 
-#include <datasets/system/error.h>
 #include <datasets/files/json_entries.h>
+#include <datasets/system/error.h>
 #include <reports/sweep/sweep_files.h>
 
 #include <fmt/format.h>

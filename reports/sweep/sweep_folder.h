@@ -1,8 +1,8 @@
 // What a sweep left in its folder, read back: a table of displacements, runs in folders of their own, or both.
 #pragma once
 
-#include <datasets/text/csv_table.h>
 #include <datasets/system/provenance.h>
+#include <datasets/text/csv_table.h>
 #include <reports/run/run_folder.h>
 #include <reports/sweep/frequency_curves.h>
 

@@ -1,5 +1,5 @@
-#include <datasets/files/json_entries.h>
 #include <datasets/files/input_file.h>
+#include <datasets/files/json_entries.h>
 #include <datasets/system/error.h>
 #include <datasets/text/delimited_text.h>
 #include <reports/run/run_folder.h>

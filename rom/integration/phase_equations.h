@@ -1,8 +1,8 @@
 // The equations of motion of one run in phase, with their derivatives by state and parameters.
 #pragma once
 
-#include <rom/swimmer/reduced_swimmer.h>
 #include <rom/integration/swimmer_run.h>
+#include <rom/swimmer/reduced_swimmer.h>
 
 #include <vector>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <rom/integration/integrator_options.h>
-#include <rom/swimmer/reduced_swimmer.h>
 #include <rom/integration/swimmer_run.h>
+#include <rom/swimmer/reduced_swimmer.h>
 
 #include <memory>
 #include <string>

@@ -2,9 +2,9 @@
 // (docs/equations.md, "Adjoint and tracking").
 #pragma once
 
-#include <rom/sensitivity/motion_functional.h>
 #include <rom/integration/phase_equations.h>
 #include <rom/integration/stored_motion.h>
+#include <rom/sensitivity/motion_functional.h>
 
 #include <string>
 

@@ -1,8 +1,8 @@
 // One step back of the adjoint equations.
 #pragma once
 
-#include <rom/sensitivity/adjoint_integrator.h>
 #include <rom/integration/radau_rule.h>
+#include <rom/sensitivity/adjoint_integrator.h>
 
 #include <array>
 

@@ -1,7 +1,7 @@
 #include <rom/sensitivity/motion_linearisation.h>
 
-#include <rom/swimmer/dense_algebra.h>
 #include <rom/integration/radau_rule.h>
+#include <rom/swimmer/dense_algebra.h>
 
 #include <array>
 

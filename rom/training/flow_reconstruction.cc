@@ -1,8 +1,8 @@
 #include <rom/training/flow_reconstruction.h>
 
-#include <fom/elastic/nodal_vector.h>
 #include <datasets/system/error.h>
 #include <fom/body/mesh_around.h>
+#include <fom/elastic/nodal_vector.h>
 #include <fom/resistance/motion_resistance.h>
 #include <fom/run/field_output.h>
 #include <rom/sweep/reconstruction.h>

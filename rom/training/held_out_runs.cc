@@ -1,7 +1,7 @@
 #include <rom/training/held_out_runs.h>
 
-#include <datasets/system/error.h>
 #include <datasets/run/run_summary_json.h>
+#include <datasets/system/error.h>
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include <rom/training/shape_sampler.h>
 
-#include <fom/elastic/nodal_vector.h>
 #include <datasets/system/error.h>
+#include <fom/elastic/nodal_vector.h>
 #include <fom/resistance/motion_resistance.h>
 #include <rom/training/posed_body.h>
 

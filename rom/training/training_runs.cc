@@ -1,7 +1,7 @@
 #include <rom/training/training_runs.h>
 
-#include <datasets/system/error.h>
 #include <datasets/run/run_summary_json.h>
+#include <datasets/system/error.h>
 #include <fom/run/simulation.h>
 
 #include <fmt/format.h>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <datasets/reduced/reduced_model.h>
-#include <datasets/scene/scene.h>
 #include <datasets/run/snapshot_set.h>
+#include <datasets/scene/scene.h>
 #include <rom/training/run_parameters.h>
 
 #include <mpi.h>

@@ -1,7 +1,7 @@
 #include <app/written_files.h>
 #include <datasets/observation/calibration_result.h>
-#include <datasets/text/csv_table.h>
 #include <datasets/scene/scene.h>
+#include <datasets/text/csv_table.h>
 #include <tests/app/declared_files.h>
 #include <tests/app/tool_in_process.h>
 #include <tests/datasets/temporary_folder.h>

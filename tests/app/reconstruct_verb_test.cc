@@ -1,9 +1,9 @@
 #include <app/tool.h>
-#include <datasets/system/error.h>
-#include <datasets/system/provenance.h>
 #include <datasets/run/run_summary_json.h>
 #include <datasets/run/snapshot_set.h>
 #include <datasets/run/trajectory.h>
+#include <datasets/system/error.h>
+#include <datasets/system/provenance.h>
 #include <datasets/text/csv_table.h>
 #include <tests/app/tool_in_process.h>
 #include <tests/control/small_model.h>

@@ -1,8 +1,8 @@
 #include <app/tool.h>
-#include <datasets/text/csv_table.h>
-#include <datasets/system/error.h>
 #include <datasets/files/hdf5_file.h>
+#include <datasets/system/error.h>
 #include <datasets/system/provenance.h>
+#include <datasets/text/csv_table.h>
 #include <tests/app/tool_in_process.h>
 #include <tests/datasets/temporary_folder.h>
 #include <tests/rom/example_model.h>

@@ -1,6 +1,6 @@
 #include <app/written_files.h>
-#include <datasets/text/csv_table.h>
 #include <datasets/scene/field_program.h>
+#include <datasets/text/csv_table.h>
 #include <tests/app/declared_files.h>
 #include <tests/app/tool_in_process.h>
 #include <tests/datasets/temporary_folder.h>

@@ -1,5 +1,5 @@
-#include <datasets/text/csv_table.h>
 #include <datasets/observation/observation_set.h>
+#include <datasets/text/csv_table.h>
 #include <tests/places.h>
 
 #include <gtest/gtest.h>

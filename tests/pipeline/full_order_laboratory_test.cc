@@ -1,5 +1,5 @@
-#include <tests/places.h>
 #include <tests/pipeline/child_process.h>
+#include <tests/places.h>
 
 #include <nlohmann/json.hpp>
 

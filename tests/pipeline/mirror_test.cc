@@ -1,7 +1,7 @@
 #include <tests/pipeline/simulation.h>
 
-#include <iostream>
 #include <cmath>
+#include <iostream>
 
 namespace swimtwin
 {

@@ -1,8 +1,8 @@
 #include <tests/pipeline/simulation.h>
 
 #include <datasets/files/json_entries.h>
-#include <datasets/text/csv_table.h>
 #include <datasets/reduced/reduced_model.h>
+#include <datasets/text/csv_table.h>
 
 namespace swimtwin
 {

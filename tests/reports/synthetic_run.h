@@ -1,9 +1,9 @@
 // A made-up motion with the size of the reference swimmer's, to draw. It solves no equation.
 #pragma once
 
-#include <datasets/scene/scene.h>
 #include <datasets/run/snapshot_set.h>
 #include <datasets/run/trajectory.h>
+#include <datasets/scene/scene.h>
 #include <tests/datasets/example_scenes.h>
 
 #include <array>

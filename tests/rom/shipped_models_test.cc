@@ -2,8 +2,8 @@
 #include <datasets/scene/dimensionless_groups.h>
 #include <datasets/scene/inertia_terms.h>
 #include <datasets/text/csv_table.h>
-#include <rom/swimmer/resistance_surrogate.h>
 #include <rom/sweep/sweep.h>
+#include <rom/swimmer/resistance_surrogate.h>
 #include <tests/places.h>
 #include <tests/rom/example_model.h>
 

@@ -1,8 +1,8 @@
 // A prolate spheroid in an unbounded fluid: force and torque with the exact flow on the outer boundary, and how it
 // turns in a shear flow.
-#include <fom/unknowns/condensation.h>
 #include <fom/body/mesh_around.h>
 #include <fom/step/full_order_model.h>
+#include <fom/unknowns/condensation.h>
 #include <tests/fom/shipped_scene.h>
 
 #include <deal.II/base/quadrature_lib.h>

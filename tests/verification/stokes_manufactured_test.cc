@@ -1,7 +1,7 @@
 // Stokes flow with a known solution between two circles or spheres, on curved quadratic elements.
-#include <fom/unknowns/condensation.h>
 #include <fom/body/mesh_around.h>
 #include <fom/fluid/stokes.h>
+#include <fom/unknowns/condensation.h>
 #include <tests/fom/shipped_scene.h>
 #include <tests/observed_order.h>
 

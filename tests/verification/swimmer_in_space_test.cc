@@ -1,7 +1,7 @@
 // The elastic swimmer in three dimensions: laws that its motion has to keep, on meshes much coarser than shipped.
 #include <fom/step/full_order_model.h>
-#include <tests/verification/balance_in_space.h>
 #include <tests/fom/shipped_scene.h>
+#include <tests/verification/balance_in_space.h>
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 // with the resistance of the meshed body, and laws that an elastic swimmer keeps.
 #include <fom/resistance/resistance.h>
 #include <fom/step/full_order_model.h>
-#include <tests/verification/balance_in_space.h>
 #include <tests/fom/shipped_scene.h>
+#include <tests/verification/balance_in_space.h>
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>

@@ -5,8 +5,8 @@
 #include <datasets/text/text_decoding.h>
 #include <datasets/text/toml_table.h>
 #include <rom/swimmer/carried_inertia.h>
-#include <twin/motion/inertia_entry.h>
 #include <twin/lab/lab_config.h>
+#include <twin/motion/inertia_entry.h>
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 #include <calibration/run/fitted_scene.h>
 
 #include <datasets/files/output_folder.h>
+#include <datasets/scene/inertia_terms.h>
 #include <tests/datasets/temporary_folder.h>
 #include <tests/places.h>
-#include <datasets/scene/inertia_terms.h>
 
 #include <gtest/gtest.h>
 

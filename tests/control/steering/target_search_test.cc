@@ -2,8 +2,8 @@
 
 #include <control/steering/course_terms.h>
 #include <rom/sensitivity/adjoint_check.h>
-#include <rom/swimmer/bspline_field.h>
 #include <rom/sweep/sweep.h>
+#include <rom/swimmer/bspline_field.h>
 #include <tests/places.h>
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-#include <datasets/system/error.h>
 #include <datasets/files/file_patterns.h>
+#include <datasets/system/error.h>
 #include <tests/datasets/temporary_folder.h>
 
 namespace swimtwin

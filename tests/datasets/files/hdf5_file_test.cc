@@ -1,6 +1,6 @@
-#include <datasets/system/error.h>
 #include <datasets/files/hdf5_file.h>
 #include <datasets/files/output_folder.h>
+#include <datasets/system/error.h>
 #include <tests/datasets/temporary_folder.h>
 
 #include <hdf5.h>

@@ -1,6 +1,6 @@
-#include <datasets/system/error.h>
 #include <datasets/files/hdf5_file.h>
 #include <datasets/files/hdf5_open.h>
+#include <datasets/system/error.h>
 #include <tests/datasets/other_process.h>
 #include <tests/datasets/temporary_folder.h>
 

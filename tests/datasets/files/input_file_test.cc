@@ -1,5 +1,5 @@
-#include <datasets/system/error.h>
 #include <datasets/files/input_file.h>
+#include <datasets/system/error.h>
 #include <tests/datasets/other_process.h>
 #include <tests/datasets/temporary_folder.h>
 

@@ -1,5 +1,5 @@
-#include <datasets/system/error.h>
 #include <datasets/observation/observation_set.h>
+#include <datasets/system/error.h>
 #include <tests/datasets/example_observations.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-#include <datasets/system/error.h>
 #include <datasets/observation/track_observation.h>
+#include <datasets/system/error.h>
 #include <datasets/tracks/track_periods.h>
 #include <tests/datasets/example_observations.h>
 

@@ -1,7 +1,7 @@
 #include <datasets/reduced/reduced_model.h>
 
-#include <datasets/system/error.h>
 #include <datasets/files/hdf5_file.h>
+#include <datasets/system/error.h>
 #include <datasets/system/provenance.h>
 #include <tests/datasets/temporary_folder.h>
 

@@ -1,5 +1,5 @@
-#include <datasets/system/error.h>
 #include <datasets/run/run_summary_json.h>
+#include <datasets/system/error.h>
 #include <tests/datasets/temporary_folder.h>
 
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 #include <datasets/run/snapshot_set.h>
 
-#include <datasets/system/error.h>
 #include <datasets/files/hdf5_file.h>
+#include <datasets/system/error.h>
 #include <datasets/system/provenance.h>
 #include <tests/datasets/temporary_folder.h>
 

@@ -1,5 +1,5 @@
-#include <datasets/system/error.h>
 #include <datasets/run/trajectory.h>
+#include <datasets/system/error.h>
 #include <tests/datasets/temporary_folder.h>
 
 #include <cmath>

@@ -1,6 +1,6 @@
-#include <datasets/system/error.h>
 #include <datasets/scene/field_program.h>
 #include <datasets/scene/field_program_writer.h>
+#include <datasets/system/error.h>
 #include <tests/datasets/temporary_folder.h>
 
 #include <cmath>

@@ -1,6 +1,6 @@
-#include <datasets/text/csv_table.h>
 #include <datasets/scene/dimensionless_groups.h>
 #include <datasets/scene/inertia_terms.h>
+#include <datasets/text/csv_table.h>
 #include <tests/places.h>
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
-#include <datasets/system/error.h>
-#include <datasets/system/provenance.h>
 #include <datasets/scene/scene.h>
 #include <datasets/scene/scene_names.h>
+#include <datasets/system/error.h>
+#include <datasets/system/provenance.h>
 #include <tests/datasets/example_scenes.h>
 #include <tests/datasets/temporary_folder.h>
 #include <tests/replaced.h>

@@ -1,5 +1,5 @@
-#include <datasets/system/error.h>
 #include <datasets/scene/scene.h>
+#include <datasets/system/error.h>
 #include <tests/datasets/example_scenes.h>
 #include <tests/datasets/temporary_folder.h>
 

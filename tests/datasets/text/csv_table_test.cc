@@ -1,5 +1,5 @@
-#include <datasets/text/csv_table.h>
 #include <datasets/system/error.h>
+#include <datasets/text/csv_table.h>
 #include <tests/datasets/temporary_folder.h>
 
 namespace swimtwin

@@ -1,6 +1,6 @@
+#include <fom/body/mesh_around.h>
 #include <fom/geometry/cell_search.h>
 #include <tests/fom/shipped_scene.h>
-#include <fom/body/mesh_around.h>
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 #include <datasets/system/clocks.h>
-#include <rom/sensitivity/adjoint_check.h>
-#include <rom/swimmer/bspline_field.h>
-#include <rom/sensitivity/drift_gradient.h>
 #include <rom/integration/swimmer_integrator.h>
+#include <rom/sensitivity/adjoint_check.h>
+#include <rom/sensitivity/drift_gradient.h>
+#include <rom/swimmer/bspline_field.h>
 #include <tests/rom/example_model.h>
 
 #include <gtest/gtest.h>

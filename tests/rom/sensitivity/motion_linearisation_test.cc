@@ -1,6 +1,6 @@
-#include <rom/swimmer/bspline_field.h>
-#include <rom/sensitivity/motion_linearisation.h>
 #include <rom/integration/swimmer_integrator.h>
+#include <rom/sensitivity/motion_linearisation.h>
+#include <rom/swimmer/bspline_field.h>
 #include <tests/rom/example_model.h>
 
 #include <gtest/gtest.h>

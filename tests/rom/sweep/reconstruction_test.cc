@@ -1,5 +1,5 @@
-#include <rom/sweep/reconstruction.h>
 #include <rom/integration/swimmer_integrator.h>
+#include <rom/sweep/reconstruction.h>
 #include <tests/rom/example_model.h>
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #include <rom/training/basis_builder.h>
 
-#include <fom/elastic/nodal_vector.h>
 #include <datasets/system/error.h>
+#include <fom/elastic/nodal_vector.h>
 #include <fom/run/run_recorder.h>
 #include <rom/training/shape_sampler.h>
 #include <tests/fom/shipped_scene.h>

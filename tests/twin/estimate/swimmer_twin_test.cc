@@ -1,7 +1,7 @@
+#include <rom/swimmer/carried_inertia.h>
 #include <tests/twin/open_swimmer.h>
 #include <twin/estimate/swimmer_twin.h>
 #include <twin/lab/laboratory.h>
-#include <rom/swimmer/carried_inertia.h>
 
 #include <gtest/gtest.h>
 

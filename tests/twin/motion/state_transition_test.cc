@@ -1,8 +1,8 @@
 #include <rom/integration/swimmer_integrator.h>
+#include <rom/swimmer/carried_inertia.h>
 #include <tests/control/small_model.h>
 #include <tests/rom/example_model.h>
 #include <tests/twin/open_swimmer.h>
-#include <rom/swimmer/carried_inertia.h>
 #include <twin/motion/state_transition.h>
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-#include <tests/twin/run/imagined_stream.h>
 #include <control/steering/steered_field.h>
+#include <tests/twin/run/imagined_stream.h>
 #include <twin/estimate/model_bias.h>
 #include <twin/telling/telling_search.h>
 
