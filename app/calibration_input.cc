@@ -62,6 +62,20 @@ namespace swimtwin
     }
   } // namespace
 
+  namespace
+  {
+    void require_dimension(const CalibrationInput &input)
+    {
+      const int dimension = input.model.tail.dimension();
+      for (const ObservationSet &set : input.sets)
+        if (set.dimension.value_or(dimension) != dimension)
+          throw InputError(fmt::format("{}: computed in {} dimensions, as its sidecar says, and the swimmer of {} has "
+                                       "{}; estimates would make up for the difference: take a model of the data's "
+                                       "dimension.",
+                                       set.file.string(), *set.dimension, input.model.scene_name, dimension));
+    }
+  } // namespace
+
   CalibrationInput read_calibration_input(const CalibrateCommand &command)
   {
     CalibrationInput input{
@@ -74,6 +88,7 @@ namespace swimtwin
                                    "observations.",
                                    command.problem));
     input.sets = read_observations(files);
+    require_dimension(input);
     return input;
   }
 

@@ -119,11 +119,28 @@ namespace swimtwin
     }
   } // namespace
 
+  namespace
+  {
+    void warn_of_length(const CalibrationModel &model, const ObservationSet &set, Warnings &warnings)
+    {
+      constexpr double as_measured = 0.05; // on a picture
+      const double     length_m    = set.body_length_m.value_or(model.body_length_m);
+      if (std::abs(length_m - model.body_length_m) > as_measured * model.body_length_m)
+        warnings.push_back(
+            fmt::format("{}: of a body {:.4g} mm long, as its sidecar says, and the model's is {:.4g} mm: "
+                        "if it is another swimmer, train a model of it",
+                        set.name, 1e3 * length_m, 1e3 * model.body_length_m));
+    }
+  } // namespace
+
   std::vector<std::string> data_warnings(const CalibrationModel &model, const std::vector<ObservationSet> &sets)
   {
     Warnings warnings;
     for (const ObservationSet &set : sets)
+    {
       warnings.insert(warnings.end(), set.warnings.begin(), set.warnings.end());
+      warn_of_length(model, set, warnings);
+    }
     for (const ObservationSet &set : sets)
       if (!set.body_length_m)
         for (const std::string &warning : implausible_sizes(set, model.body_length_m))

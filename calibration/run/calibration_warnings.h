@@ -11,9 +11,9 @@
 
 namespace swimtwin
 {
-  /// What readers found in the data; sizes that look like another unit; observations outside what the model was trained
-  /// for; parameters at their bounds; an observation far from the fit; residuals larger than the stated sigma explain;
-  /// a model of unknown error. `result` holds the fit's parameters and residuals.
+  /// What readers found in the data; sizes that look like another unit, a body of another length; observations outside
+  /// what the model was trained for; parameters at their bounds; an observation far from the fit; residuals larger than
+  /// the stated sigma explain; a model of unknown error. `result` holds the fit's parameters and residuals.
   std::vector<std::string> calibration_warnings(const FitInput &input, const std::vector<ObservationSet> &sets,
                                                 const Estimate &estimate, const CalibrationResult &result);
 

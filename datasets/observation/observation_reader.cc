@@ -35,6 +35,7 @@ namespace swimtwin
       set.measured_by   = sidecar.measured_by;
       set.synthetic     = sidecar.synthetic;
       set.has_inertia   = sidecar.has_inertia;
+      set.dimension     = sidecar.dimension;
       set.temperature_C = sidecar.temperature_C;
       set.body_length_m = sidecar.body_length_m;
       set.period        = sidecar.period;

@@ -42,6 +42,7 @@ namespace swimtwin
     std::string           source, swimmer, measured_by; ///< in words
     bool                  synthetic   = false;
     bool                  has_inertia = true; ///< of swimmer and fluid; only computed data can be without
+    std::optional<int>    dimension;          ///< of a computed swimmer, if the sidecar says it
     std::optional<double> temperature_C;      ///< of the fluid
     std::optional<double> body_length_m;      ///< of the swimmer, to tell whether sizes are plausible
     std::optional<int>    period = 3;         ///< counted from 1, after a start from rest; none: the periodic state

@@ -23,6 +23,20 @@ namespace swimtwin
         problems.error(text);
     }
 
+    constexpr Range plane_or_space{2., 3., false, false, "be 2 or 3"};
+
+    /// A flat swimmer's data are fitted as well by a model in space, with a wrong stiffness.
+    void read_dimension(TomlTable &table, ObservationSidecar &sidecar)
+    {
+      if (!table.has("dimension"))
+        return;
+      int dimension = 2;
+      table.integer("dimension", {"", plane_or_space}, dimension);
+      if (!sidecar.synthetic)
+        table.note("dimension", "can be said of computed data only; leave it out, or say synthetic = true.");
+      sidecar.dimension = dimension;
+    }
+
     enum class Settled { periodic };
     constexpr std::array<std::pair<std::string_view, Settled>, 1> settled_words{{{"periodic", Settled::periodic}}};
 
@@ -52,6 +66,7 @@ namespace swimtwin
       TomlTable table(document, "");
       read_words(table, "source", sidecar.source);
       table.flag("synthetic", sidecar.synthetic, Need::required);
+      read_dimension(table, sidecar);
       read_words(table, "swimmer", sidecar.swimmer);
       read_words(table, "measured_by", sidecar.measured_by);
       read_period(document, table, sidecar.period);

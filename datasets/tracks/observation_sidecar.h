@@ -42,6 +42,7 @@ namespace swimtwin
     std::filesystem::path  table; ///< that it belongs to, beside it; empty if it does not say
     std::string            source, swimmer, measured_by;
     bool                   synthetic = false, has_inertia = true; ///< computed; of swimmer and fluid
+    std::optional<int>     dimension;                             ///< of a computed swimmer, if it says
     std::optional<int>     period;                                ///< none: the periodic state
     std::optional<double>  body_length_m, temperature_C;
     FieldProgram           field;

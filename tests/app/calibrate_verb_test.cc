@@ -7,7 +7,10 @@
 #include <tests/datasets/temporary_folder.h>
 #include <tests/places.h>
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <utility>
 
 namespace swimtwin
 {
@@ -165,6 +168,29 @@ bootstrap_samples = 60
     EXPECT_EQ(outcome.code, 2);
     expect_in(outcome.errors, "computed was computed without inertia");
     expect_in(outcome.errors, "choose with --inertia");
+  }
+
+  TEST_F(CalibrateVerb, RefusesDataOfAnotherDimensionThanTheModels)
+  {
+    for (const auto &[model, data] :
+         {std::pair{"reference-3d", "synthetic-soft"}, std::pair{"reference-2d", "synthetic-spatial"}})
+    {
+      const Outcome outcome = calibrate_tool({"calibrate", model, folder.path / "fit.toml", "--check", "--data",
+                                              fmt::format("{}/datasets/observations/{}.csv", places::source, data)});
+      EXPECT_EQ(outcome.code, 2);
+      expect_in(outcome.errors, "take a model of the data's dimension");
+    }
+  }
+
+  TEST_F(CalibrateVerb, WarnsOfABodyOfAnotherLength)
+  {
+    const std::string data   = folder.write("curve.csv", table);
+    const auto        errors = [&](const std::string &length) {
+      folder.write("curve.toml", length + sidecar);
+      return calibrate_tool({"calibrate", "reference-2d", folder.path / "fit.toml", "--check", "--data", data}).errors;
+    };
+    EXPECT_EQ(errors("body_length_m = 0.0081\n"), "");
+    expect_in(errors("body_length_m = 0.004\n"), "curve: of a body 4 mm long, as its sidecar says, and the model's is");
   }
 
   TEST_F(CalibrateVerb, CheckFindsWhatAFitWouldFind)

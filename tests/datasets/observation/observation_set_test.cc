@@ -251,6 +251,16 @@ namespace swimtwin
     expect_in(ObservationFiles(example_curve, odd).message(), "inertia");
   }
 
+  TEST(ObservationSidecar, OnlyComputedDataHaveADimension)
+  {
+    const std::string flat = replaced(example_sidecar, "period = 3", "dimension = 2\nperiod = 3");
+    EXPECT_EQ(read_observations(ObservationFiles(example_curve, flat).file).dimension, 2);
+    EXPECT_FALSE(read_observations(ObservationFiles(example_curve).file).dimension);
+    expect_in(ObservationFiles(example_curve, replaced(flat, "dimension = 2", "dimension = 4")).message(), "be 2 or 3");
+    expect_in(ObservationFiles(example_curve, replaced(flat, "synthetic = true", "synthetic = false")).message(),
+              "dimension = 2 can be said of computed data only");
+  }
+
   TEST(ObservationSidecar, AsksForTheTemperatureOfMeasuredFluid)
   {
     const std::string measured = replaced(example_sidecar, "synthetic = true", "synthetic = false");
