@@ -46,6 +46,11 @@ namespace swimtwin
       return {frequency_Hz, scene.fluid->viscosity_Pa_s, scene.tail->young_modulus_Pa};
     }
 
+    bool have_inertia(const std::vector<ObservationSet> &sets)
+    {
+      return std::any_of(sets.begin(), sets.end(), [](const ObservationSet &set) { return set.has_inertia; });
+    }
+
     /// "none" if the data are without, as computed ones may be; else as the scene has it.
     std::string inertia_of_data(const std::vector<ObservationSet> &sets)
     {
@@ -59,12 +64,29 @@ namespace swimtwin
       return n > 0 ? "none" : "";
     }
 
+    /// Throws InputError where estimates would make up for much, and nobody said that they may.
+    void require_inertia_of_data(const CalibrateCommand &command, const CalibrationInput &input,
+                                 const InertiaTerms &carried)
+    {
+      const Scene        scene = scene_with_inertia(input.model, "");
+      const InertiaDoubt doubt = doubt_inertia(scene, carried, extreme_of(scene, input.sets));
+      if (command.inertia.empty() && doubt.missed > largest_inertial_error && have_inertia(input.sets))
+        throw InputError(
+            fmt::format("{}, which the data have and the estimates would make up for; {}say --inertia none "
+                        "to fit all the same.",
+                        doubt.finding,
+                        input.model.inertia.is_given() ? "carry it with --inertia full, or "
+                                                       : "take a model that is trained with inertia, or "));
+    }
+
     InertiaTerms carried_by(const CalibrateCommand &command, const CalibrationInput &input)
     {
       const std::string inertia = command.inertia.empty() ? inertia_of_data(input.sets) : command.inertia;
       require_inertia(input.model, command.model, inertia);
-      const Scene scene = scene_with_inertia(input.model, inertia);
-      return carried_inertia(scene, input.model, extreme_of(scene, input.sets));
+      const Scene        scene   = scene_with_inertia(input.model, inertia);
+      const InertiaTerms carried = carried_inertia(scene, input.model, extreme_of(scene, input.sets));
+      require_inertia_of_data(command, input, carried);
+      return carried;
     }
 
     /// A refinement needs some, spread over the frequencies.
@@ -146,9 +168,7 @@ namespace swimtwin
     std::string made_up_for(const Scene &scene, const InertiaTerms &carried, const std::vector<ObservationSet> &sets)
     {
       const InertiaDoubt doubt = doubt_inertia(scene, carried, extreme_of(scene, sets));
-      const bool         is_in_data =
-          std::any_of(sets.begin(), sets.end(), [](const ObservationSet &set) { return set.has_inertia; });
-      if (doubt.finding.empty() || !(carried.any() || is_in_data))
+      if (doubt.finding.empty() || !(carried.any() || have_inertia(sets)))
         return {};
       return doubt.finding +
              " (with the scene's viscosity and stiffness); where the data have it, the estimates make up "

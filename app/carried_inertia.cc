@@ -13,13 +13,16 @@ namespace swimtwin
   {
     /// Largest unsteady group that is computed without being asked for, and share that is not warned of.
     constexpr double largest_unsteady_group = 2., noticed_share = 0.01;
-    /// Largest error of displacements with inertia that is computed without being asked for.
-    constexpr double largest_carried_error = 0.05;
-
-    std::string place_of(const Scene &scene, const InertialExtreme &extreme)
+    std::string      place_of(const Scene &scene, const InertialExtreme &extreme)
     {
       return fmt::format("at {:.4g} Hz, {:.4g} Pa s and {:.4g} Pa the unsteady group 2 pi rho f L^2 / mu is {:.3g}",
                          extreme.frequency_Hz, extreme.viscosity_Pa_s, extreme.young_modulus_Pa, extreme.group(scene));
+    }
+
+    /// Whether someone chose what is carried; else it is what is needed, as far as the model has it.
+    bool was_told(const Scene &scene)
+    {
+      return scene.fluid->inertia != Inertia::automatic;
     }
 
     /// Of what is left out.
@@ -72,20 +75,26 @@ namespace swimtwin
   {
     const InertiaShares shares = extreme.shares(scene);
     const std::string   place  = place_of(scene, extreme);
-    if (const double error = error_of_carried_inertia(shares.together(), extreme.group_of_domain(scene));
-        carried.of_fluid() && error > noticed_share)
+    if (const double error = extreme.error_if_carried(scene); carried.of_fluid() && error > noticed_share)
       return {fmt::format("{}, inertia is {}, and the reduced swimmer knows it to some {:.2g} % of the displacement",
                           place, share_of_displacement(shares.together()), 100. * error),
-              error > largest_carried_error};
+              error > largest_inertial_error};
     const double missed = missed_share(shares, carried);
     if (missed <= noticed_share)
       return {};
-    const bool        is_wrong = extreme.group(scene) > largest_unsteady_group;
+    const bool        is_large = extreme.group(scene) > largest_unsteady_group;
     const std::string limit =
-        is_wrong ? fmt::format(", more than the {} up to which inertia may be left out", largest_unsteady_group) : "";
+        is_large ? fmt::format(", more than the {} up to which inertia may be left out", largest_unsteady_group) : "";
     return {fmt::format("{}{}, and the reduced swimmer neglects {}, {}", place, limit,
                         carried.any() ? "part of the inertia" : "inertia", share_of_displacement(missed)),
-            is_wrong};
+            is_large || (!was_told(scene) && missed > largest_inertial_error), missed};
+  }
+
+  double error_of_inertia(const Scene &scene, const InertiaTerms &carried, const InertialExtreme &member)
+  {
+    if (carried.of_fluid())
+      return member.error_if_carried(scene);
+    return was_told(scene) ? 0. : missed_share(member.shares(scene), carried);
   }
 
   void warn_of(const std::vector<std::string> &warnings, const InertiaDoubt &doubt, const bool allowed)

@@ -31,7 +31,8 @@ namespace swimtwin
   struct InertiaDoubt
   {
     std::string finding;          ///< one clause on inertia that is left out, or carried too far; empty if it is little
-    bool        is_wrong = false; ///< displacements are
+    bool        is_wrong = false; ///< displacements are, and the scene asks for none that are
+    double      missed   = 0.;    ///< share of the displacement that is left out
 
     bool refuses(const bool allowed) const { return is_wrong && !allowed; }
     /// The finding, and what follows for a result that is given all the same.
@@ -41,6 +42,10 @@ namespace swimtwin
   };
 
   InertiaDoubt doubt_inertia(const Scene &scene, const InertiaTerms &carried, const InertialExtreme &extreme);
+
+  /// What a member's displacement is off, relative, by inertia that is carried to first order only, or left out
+  /// although the scene says "auto".
+  double error_of_inertia(const Scene &scene, const InertiaTerms &carried, const InertialExtreme &member);
 
   /// Say them, but for the doubt's own where the refusal says it.
   void warn_of(const std::vector<std::string> &warnings, const InertiaDoubt &doubt, bool allowed);

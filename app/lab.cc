@@ -1,6 +1,7 @@
 // Verb lab: an imagined laboratory at the other end of the twin's pipe.
 #include <app/claimed_folder.h>
 #include <app/full_order/full_order_laboratory.h>
+#include <app/model_error.h>
 #include <app/shipped_files.h>
 #include <app/verb.h>
 #include <app/written_files.h>
@@ -60,6 +61,7 @@ namespace swimtwin
         imagined.model  = read_reduced_model(imagined.file);
         imagined.scene  = parse_scene(imagined.model->scene_text, imagined.model->scene_name + ".toml");
         imagined.config = read_lab_config(command.config, *imagined.model);
+        warn_of_model_error(*imagined.model, command.model);
       }
       else
       {

@@ -8,12 +8,18 @@
 
 namespace swimtwin
 {
-  void warn_of_model_error(const ReducedModel &model, const std::string &name)
+  std::string model_error_warning(const ReducedModel &model, const std::string &name)
   {
     if (model.record.held_out_runs.empty())
-      warn(fmt::format("{}: how far the reduced model is off is not known: it has no held-out runs", name));
-    else if (const std::string missed = missed_target(model.record); !missed.empty())
-      warn(fmt::format("{}: {}", name, missed));
+      return fmt::format("{}: how far the reduced model is off is not known: it has no held-out runs", name);
+    const std::string missed = missed_target(model.record);
+    return missed.empty() ? "" : fmt::format("{}: {}", name, missed);
+  }
+
+  void warn_of_model_error(const ReducedModel &model, const std::string &name)
+  {
+    if (const std::string warning = model_error_warning(model, name); !warning.empty())
+      warn(warning);
   }
 
   void require_borne_model_error(const ReducedModel &model, const std::string &name, const bool is_accepted)

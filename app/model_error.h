@@ -7,7 +7,10 @@
 
 namespace swimtwin
 {
-  /// A warning, if held-out runs missed the model's target or there are none.
+  /// One sentence, if held-out runs missed the model's target or there are none; else empty.
+  std::string model_error_warning(const ReducedModel &model, const std::string &name);
+
+  /// Say it.
   void warn_of_model_error(const ReducedModel &model, const std::string &name);
 
   /// That warning; throws InputError if the error is above what a fit, a plan or a path may rest on, and

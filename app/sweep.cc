@@ -152,48 +152,45 @@ namespace swimtwin
       Scene        scene;
       SweepOptions options;
       SweepRecord  record;
+      InertiaTerms carried = {};
     };
 
     SweepSetup set_up(const SweepCommand &command, const SweepAxes &axes)
     {
-      SweepSetup setup{load_model(command), {}, {}, {}};
+      SweepSetup setup{load_model(command), {}, {}, {}, {}};
+      if (const std::string warning = model_error_warning(setup.model, command.model); !warning.empty())
+        setup.record.warnings.push_back(warning);
       const auto &[inertia, allowed] = command.inertia;
       require_inertia(setup.model, command.model, inertia);
       setup.scene                   = scene_with_inertia(setup.model, inertia);
       setup.options                 = options_of(command, setup.scene, setup.model);
       const InertialExtreme extreme = extreme_of(axes, setup.options.base);
-      const InertiaTerms    terms   = carried_inertia(setup.scene, setup.model, extreme);
-      setup.options.densities       = inertial_densities(setup.scene, terms);
-      const std::string doubt =
-          accept_doubt(doubt_inertia(setup.scene, terms, extreme), allowed, "lower --frequency or raise --viscosity");
+      setup.carried                 = carried_inertia(setup.scene, setup.model, extreme);
+      setup.options.densities       = inertial_densities(setup.scene, setup.carried);
+      const std::string doubt       = accept_doubt(doubt_inertia(setup.scene, setup.carried, extreme), allowed,
+                                                   "lower --frequency or raise --viscosity");
       if (!doubt.empty())
         setup.record.warnings.push_back(doubt);
       return setup;
     }
 
-    /// What carrying inertia leaves, on top of the error that runs without inertia had.
-    void add_error_of_inertia(const ReducedModel &model, const Scene &scene, std::vector<SweepResult> &results)
+    /// On top of the error that runs without inertia had.
+    void add_error_of_inertia(const SweepSetup &setup, std::vector<SweepResult> &results)
     {
       for (SweepResult &r : results)
       {
-        const auto &[parameters, bx, by, frequency] = r.member;
-        const double share =
-            inertia_shares(scene, frequency, parameters.viscosity_Pa_s, parameters.young_modulus_Pa).together();
-        r.error_95_m +=
-            std::abs(r.displacement_m) *
-            error_of_carried_inertia(share, unsteady_group_of_domain(scene, frequency, parameters.viscosity_Pa_s));
-        note_error_bound(model.record, r.error_95_m, r.displacement_m, r.trust);
+        const InertialExtreme member = extreme_of(r.member.parameters, r.member.frequency_Hz);
+        r.error_95_m += std::abs(r.displacement_m) * error_of_inertia(setup.scene, setup.carried, member);
+        note_error_bound(setup.model.record, r.error_95_m, r.displacement_m, r.trust);
       }
     }
 
     void sweep_in_folder(const SweepCommand &command, const SweepAxes &axes, SweepSetup &setup)
     {
-      auto &[model, scene, options, record] = setup;
-      const CommonOptions &common           = command.common;
+      auto &[model, scene, options, record, carried] = setup;
+      const CommonOptions &common                    = command.common;
       if (!common.quiet)
         say_text(model_card(model));
-      warn_of_model_error(model, command.model);
-
       const double start = wall_time_s();
       ProgressBar  bar(common.quiet);
       const int    n_members = static_cast<int>(axes.n_members());
@@ -202,8 +199,7 @@ namespace swimtwin
       };
       std::vector<SweepResult> results = sweep(model, axes, options);
       record.wall_time_s               = wall_time_s() - start;
-      if (options.densities.any())
-        add_error_of_inertia(model, scene, results);
+      add_error_of_inertia(setup, results);
       for (const SweepResult &result : results)
         record.cpu_time_s += result.cpu_time_s;
       for (const std::string &doubt : doubts(results))

@@ -13,8 +13,6 @@ namespace swimtwin
 {
   namespace
   {
-    constexpr InertiaTerms all_terms{.unsteady = true, .convective = true, .tail = true, .head = true};
-
     InertiaTerms chosen_by_share(const Scene &scene, const InertiaShares &shares)
     {
       if (scene.is_partitioned())
@@ -34,7 +32,7 @@ namespace swimtwin
       switch (scene.fluid->inertia)
       {
       case Inertia::full:
-        return all_terms;
+        return all_inertia;
       case Inertia::chosen:
         return scene.fluid->chosen;
       case Inertia::automatic:

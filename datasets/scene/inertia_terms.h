@@ -5,6 +5,8 @@
 
 namespace swimtwin
 {
+  inline constexpr InertiaTerms all_inertia{.unsteady = true, .convective = true, .tail = true, .head = true};
+
   /// The terms that [fluid] inertia asks for, less those of what the scene does not have or does not move. "auto" keeps
   /// each whose share is above `negligible_share`, and none with a partitioned coupling, which cannot carry any. In
   /// vacuum it is [tail] inertia that asks.

@@ -35,6 +35,12 @@ namespace swimtwin
         throw InputError(fmt::format("{} holds checkpoint.h5 of an interrupted run and no summary.json; finish it with "
                                      "`swimtwin simulate SCENE --output {} --resume`.",
                                      folder.string(), folder.string()));
+      if (fs::exists(folder / "runs/run-01") || fs::exists(folder / "model.h5"))
+        throw InputError(
+            fmt::format("{} is of a training, which has no page: {}.", folder.string(),
+                        fs::exists(folder / "model.h5")
+                            ? "what its model is worth stands in model-card.txt"
+                            : "it has not ended; go on with `swimtwin train SCENE --output ... --resume`"));
       throw InputError(fmt::format("{} holds no results: neither summary.json of a run, nor displacement_frequency.csv "
                                    "of a sweep, nor folders of runs; give the --output of an earlier command.",
                                    folder.string()));
@@ -60,6 +66,7 @@ namespace swimtwin
         const Json model = json.value("model", Json());
         read_entry(model, "file", origin.model_file);
         read_entry(model, "n_modes", origin.n_modes);
+        read_entry(json, "warnings", origin.warnings);
       }
       catch (const InputError &problem)
       {

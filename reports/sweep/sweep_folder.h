@@ -22,9 +22,10 @@ namespace swimtwin
   /// What the rows of a table come from.
   struct SweepOrigin
   {
-    std::string model_file;
-    int         n_modes = 0;
-    Provenance  provenance;
+    std::string              model_file;
+    int                      n_modes = 0;
+    Provenance               provenance;
+    std::vector<std::string> warnings;
   };
 
   struct SweepFolder

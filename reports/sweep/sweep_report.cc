@@ -114,6 +114,8 @@ namespace swimtwin
   {
     HtmlPage page(fmt::format("Sweep {}", sweep.name));
     add_verdict(page, sweep);
+    if (sweep.origin)
+      page.add_warnings(sweep.origin->warnings);
     add_illustrations(page, illustrations);
     if (!sweep.curves.empty())
       add_curves(page, sweep.curves);

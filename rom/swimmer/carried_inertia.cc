@@ -1,4 +1,5 @@
 #include <datasets/scene/dimensionless_groups.h>
+#include <datasets/scene/inertia_terms.h>
 #include <rom/swimmer/carried_inertia.h>
 
 namespace swimtwin
@@ -16,6 +17,11 @@ namespace swimtwin
   InertiaShares InertialExtreme::shares(const Scene &scene) const
   {
     return inertia_shares(scene, frequency_Hz, viscosity_Pa_s, young_modulus_Pa);
+  }
+
+  double InertialExtreme::error_if_carried(const Scene &scene) const
+  {
+    return error_of_carried_inertia(shares(scene).together(), group_of_domain(scene));
   }
 
   InertialExtreme extreme_of(const SwimmerParameters &swimmer, const double frequency_Hz)
@@ -37,7 +43,7 @@ namespace swimtwin
       return {};
     const InertiaTerms terms = inertia_terms(scene, extreme.shares(scene));
     if (scene.fluid->inertia == Inertia::automatic && terms.any())
-      return {.unsteady = true, .convective = true, .tail = true, .head = true}; // all cost the same as one
+      return all_inertia; // all cost the same as one
     return terms;
   }
 

@@ -17,7 +17,12 @@ namespace swimtwin
     double        group(const Scene &scene) const;
     double        group_of_domain(const Scene &scene) const;
     InertiaShares shares(const Scene &scene) const;
+    double        error_if_carried(const Scene &scene) const; ///< error_of_carried_inertia
   };
+
+  /// Error of displacements, by inertia that is carried approximately or left out without anyone having said so, up to
+  /// which they are given without being asked for all the same.
+  constexpr double largest_inertial_error = 0.05;
 
   InertialExtreme extreme_of(const SwimmerParameters &swimmer, double frequency_Hz);
 

@@ -1,6 +1,7 @@
 #include <rom/training/held_out_runs.h>
 
 #include <datasets/run/run_summary_json.h>
+#include <datasets/scene/inertia_terms.h>
 #include <datasets/system/error.h>
 
 #include <fmt/format.h>
@@ -92,11 +93,10 @@ namespace swimtwin
                                                const std::vector<RunParameters> &members,
                                                const TrainingRunOptions &options, const MPI_Comm communicator)
   {
-    TrainingRunOptions carried = options;
-    carried.overrides          = {"fluid.inertia=full"};
-    const InertialDensities densities =
-        inertial_densities(scene, {.unsteady = true, .convective = true, .tail = true, .head = true});
-    const auto displacements =
+    TrainingRunOptions carried        = options;
+    carried.overrides                 = {"fluid.inertia=full"};
+    const InertialDensities densities = inertial_densities(scene, all_inertia);
+    const auto              displacements =
         full_order_displacements(scene, members, carried, scene.time.steps_per_period, communicator);
     std::vector<HeldOutRun> runs;
     for (std::size_t k = 0; k < members.size(); ++k)

@@ -5,6 +5,7 @@
 #include <datasets/scene/inertia_terms.h>
 #include <datasets/scene/mirror_plane.h>
 #include <datasets/system/error.h>
+#include <rom/swimmer/carried_inertia.h>
 #include <rom/swimmer/dense_algebra.h>
 #include <rom/training/economy.h>
 #include <rom/training/explored_shapes.h>
@@ -250,9 +251,8 @@ namespace swimtwin
                             polynomials_of(exponents, tail, samples.tail.front().mass, L, region.has_mirror),
                             scene.head.volume(scene.dimension), scene.head.second_moment(scene.dimension)};
     };
-    const InertialDensities densities =
-        inertial_densities(scene, {.unsteady = true, .convective = true, .tail = true, .head = true});
-    const auto ways = [&](const Eigen::MatrixXi &exponents) {
+    const InertialDensities densities = inertial_densities(scene, all_inertia);
+    const auto              ways      = [&](const Eigen::MatrixXi &exponents) {
       ReducedModel carried = model;
       carried.inertia      = inertia_of(exponents);
       return third_ways(carried, scene, densities);
@@ -287,15 +287,38 @@ namespace swimtwin
       model.inertia = train_inertia(model, scene, n_samples, communicator, on_progress).inertia;
   }
 
+  namespace
+  {
+    /// Up to which frequency displacements with inertia are given, with the stiffest tail in the thinnest fluid.
+    double highest_frequency_with_inertia_Hz(const Scene &scene, const TrainedRange &range)
+    {
+      double     low = range.frequency_Hz.low, high = range.frequency_Hz.high;
+      const auto is_given = [&](const double frequency_Hz) {
+        return InertialExtreme{frequency_Hz, range.viscosity_Pa_s.low, range.young_modulus_Pa.high}.error_if_carried(
+                   scene) <= largest_inertial_error;
+      };
+      if (is_given(high))
+        return high;
+      for (int halving = 0; halving < 30; ++halving)
+        (is_given(std::sqrt(low * high)) ? low : high) = std::sqrt(low * high);
+      return low;
+    }
+  } // namespace
+
   std::string neglected_inertia(const ReducedModel &model, const Scene &scene)
   {
     const TrainedRange &range = model.range;
     const double        group = unsteady_group(scene, range.frequency_Hz.high, range.viscosity_Pa_s.low);
+    const double        known = highest_frequency_with_inertia_Hz(scene, range);
+    const std::string   limit = known < range.frequency_Hz.high
+                                    ? fmt::format("; with the stiffest tail the rest is known to {:g} % up to {:.2g} Hz",
+                                                  100. * largest_inertial_error, known)
+                                    : "";
     return model.inertia.is_given()
                ? fmt::format(
                      "Of the fluid's inertia what is not of first order in its density: the unsteady group 2 pi "
-                     "rho f L^2 / mu is up to {:.2g}.",
-                     group)
+                     "rho f L^2 / mu is up to {:.2g}{}.",
+                     group, limit)
                : fmt::format(
                      "Inertia of fluid and solid: the unsteady group 2 pi rho f L^2 / mu is up to {:.2g}; with the "
                      "stiffest tail {} is missing there.",

@@ -147,6 +147,22 @@ namespace swimtwin
     EXPECT_EQ(sweep({"--inertia", "none", "--quiet"}).code, 0);
   }
 
+  TEST_F(SweepVerb, TakesTheFolderOfATrainingThatHasEnded)
+  {
+    const auto training = folder.path / "training";
+    std::filesystem::create_directories(training / "runs/run-01");
+    const auto swept = [&](const std::filesystem::path &what) {
+      return sweep_tool({"sweep", what, "--output", results, "--quiet"});
+    };
+    for (const auto &what : {training, training / "model.h5"})
+      expect_refusal(swept(what), "the training in " + training.string() + " has not ended");
+    const Outcome reported = sweep_tool({"report", training, "--quiet"});
+    expect_refusal(reported, "is of a training");
+    std::filesystem::copy(model, training / "model.h5");
+    EXPECT_EQ(swept(training).code, 0);
+    expect_in(sweep_tool({"report", training, "--quiet"}).errors, "model-card.txt");
+  }
+
   TEST_F(SweepVerb, RefusesBadOptionsWithTheirNames)
   {
     expect_refusal(sweep({"--frequency", "3:0.1:60"}), "--frequency 3:0.1:60: the range");

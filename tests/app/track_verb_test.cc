@@ -1,5 +1,7 @@
 #include <app/written_files.h>
+#include <datasets/reduced/reduced_model.h>
 #include <datasets/scene/field_program.h>
+#include <datasets/system/provenance.h>
 #include <datasets/text/csv_table.h>
 #include <tests/app/declared_files.h>
 #include <tests/app/tool_in_process.h>
@@ -21,16 +23,21 @@ namespace swimtwin
       return run_in_process(arguments, {{"track", add_track}});
     }
 
-    /// On the shipped swimmer without walls, for a few periods.
+    /// On the shipped swimmer without walls, for a few periods, without inertia.
     class TrackVerb : public ::testing::Test
     {
     protected:
       Outcome track(const std::string &goal, const std::vector<std::string> &options = {}) const
       {
         std::ofstream(folder.path / "goal.toml") << goal;
-        std::vector<std::string> arguments = {
-            "track",       std::string(places::models) + "/open-2d.h5", folder.path / "goal.toml", "--output", results,
-            "--no-picture"};
+        std::vector<std::string> arguments = {"track",
+                                              std::string(places::models) + "/open-2d.h5",
+                                              folder.path / "goal.toml",
+                                              "--output",
+                                              results,
+                                              "--no-picture",
+                                              "--inertia",
+                                              "none"};
         arguments.insert(arguments.end(), options.begin(), options.end());
         return track_tool(arguments);
       }
@@ -105,14 +112,18 @@ namespace swimtwin
     std::ofstream(folder.path / "goal.toml") << line;
     const std::string goal = folder.path / "goal.toml";
     const auto        swum = [&](const std::string &model, const std::string &inertia) {
-      return track_tool({"track", std::string(places::models) + "/" + model, goal, "--output", results + inertia,
-                         "--no-picture", "--inertia", inertia});
+      return track_tool({"track", model, goal, "--output", results + inertia, "--no-picture", "--inertia", inertia});
     };
-    EXPECT_EQ(swum("open-2d.h5", "full").code, 2);
+    const std::string shipped     = std::string(places::models) + "/reference-2d.h5",
+                      without_any = folder.path / "without.h5";
+    ReducedModel stripped         = read_reduced_model(shipped);
+    stripped.inertia              = {};
+    write_reduced_model(without_any, stripped, Provenance{});
+    EXPECT_EQ(swum(without_any, "full").code, 2);
     std::map<std::string, nlohmann::json> records;
     for (const std::string inertia : {"none", "full"})
     {
-      const Outcome outcome = swum("reference-2d.h5", inertia);
+      const Outcome outcome = swum(shipped, inertia);
       ASSERT_EQ(outcome.code, 0) << outcome.errors;
       records[inertia] = nlohmann::json::parse(std::ifstream(results + inertia + "/track.json"));
       EXPECT_EQ(records[inertia]["status"], "arrived");

@@ -1,4 +1,5 @@
-// The shipped model of the open disc with two coordinates: a real swimmer, fast enough for searches.
+// The shipped model of the open disc with two coordinates and without inertia, as its scene then says: a real swimmer,
+// fast enough for searches.
 #pragma once
 
 #include <datasets/reduced/reduced_model.h>
@@ -11,7 +12,10 @@ namespace swimtwin
 {
   inline ReducedModel small_model()
   {
-    return truncated(read_reduced_model(std::string(places::models) + "/open-2d.h5"), 2);
+    ReducedModel model = truncated(read_reduced_model(std::string(places::models) + "/open-2d.h5"), 2);
+    model.inertia      = {};
+    model.scene_text   = parse_scene(model.scene_text, model.scene_name, {"fluid.inertia=none"}).text;
+    return model;
   }
 
   /// The scene's own run.

@@ -385,6 +385,8 @@ namespace swimtwin
     model.record     = make_record();
     model.scene_name = "example";
     model.scene_text = swimmer_toml;
+    if (!options.has_inertia)
+      model.scene_text = parse_scene(swimmer_toml, model.scene_name, {"fluid.inertia=none"}).text;
     return model;
   }
 

@@ -223,11 +223,10 @@ namespace swimtwin
       for (std::size_t row = 0; row < table.n_rows(); ++row)
         if (is_terms(row, "none"))
           error_without[{E[row], M[row], mu[row], f[row]}] = error(row, {});
-      const InertialDensities all =
-          inertial_densities(scene, {.unsteady = true, .convective = true, .tail = true, .head = true});
-      constexpr double integration = 5e-4, matters = 0.02;
-      double           nearest = 0.;
-      int              n       = 0;
+      const InertialDensities all         = inertial_densities(scene, all_inertia);
+      constexpr double        integration = 5e-4, matters = 0.02;
+      double                  nearest = 0.;
+      int                     n       = 0;
       for (std::size_t row = 0; row < table.n_rows(); ++row)
         if (is_terms(row, "full"))
         {

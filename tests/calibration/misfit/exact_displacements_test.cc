@@ -1,3 +1,4 @@
+#include <datasets/scene/inertia_terms.h>
 #include <tests/calibration/central_difference.h>
 #include <tests/calibration/synthetic_curve.h>
 #include <tests/places.h>
@@ -39,8 +40,6 @@ namespace swimtwin
         EXPECT_LT((difference - at.by_logarithm.col(q)).cwiseAbs().maxCoeff(), tolerance * scale) << q;
       }
     }
-
-    constexpr InertiaTerms all_inertia{.unsteady = true, .convective = true, .tail = true, .head = true};
 
     const CalibrationModel &inertial_swimmer()
     {

@@ -1,4 +1,5 @@
 #include <calibration/run/calibration_warnings.h>
+#include <datasets/scene/inertia_terms.h>
 #include <datasets/system/error.h>
 #include <datasets/text/csv_table.h>
 #include <optimization/search_method.h>
@@ -233,8 +234,7 @@ namespace swimtwin
     const auto fitted          = [&](const InertiaTerms &inertia) {
       return calibrate(reference_model(), problem, {set}, {.n_frequencies = 3, .inertia = inertia});
     };
-    const CalibrationResult with    = fitted({.unsteady = true, .convective = true, .tail = true, .head = true}),
-                            without = fitted({});
+    const CalibrationResult with = fitted(all_inertia), without = fitted({});
     EXPECT_EQ(with.inertia.size(), 4u);
     EXPECT_NEAR(with.parameters[0].value, E / mu, 0.01 * E / mu);
     EXPECT_NEAR(with.parameters[1].value, M / mu, 0.005 * M / mu);

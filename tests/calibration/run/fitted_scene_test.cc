@@ -78,7 +78,7 @@ namespace swimtwin
   {
     data.field = own.field;
     EXPECT_EQ(written().fluid->inertia, Inertia::none);
-    carried = {.unsteady = true, .convective = true, .tail = true, .head = true};
+    carried = all_inertia;
     EXPECT_EQ(names_of(inertia_terms(written())).size(), 4u);
     const FieldProgram field = FieldProgram::sinusoidal(5e-3, 5e-3, 0.5);
     EXPECT_EQ(names_of(inertia_terms(scene_of_observation(model, swimmer, carried, field, 3))).size(), 4u);

@@ -1,6 +1,7 @@
 // On the shipped swimmer without walls. Its body is 7.75 mm long.
 #include <control/steering/closed_loop.h>
 
+#include <datasets/scene/inertia_terms.h>
 #include <datasets/system/error.h>
 #include <rom/sweep/sweep.h>
 #include <rom/swimmer/carried_inertia.h>
@@ -59,8 +60,7 @@ namespace swimtwin
   TEST(ClosedLoopWithInertia, APlanStaysOnItsLineAndItsReplayRepeatsIt)
   {
     const ReducedModel      model = read_reduced_model(std::string(places::models) + "/reference-2d.h5");
-    const InertiaTerms      all{.unsteady = true, .convective = true, .tail = true, .head = true};
-    const ReducedSwimmer    swimmer(model, inertial_densities(model, all)), light(model);
+    const ReducedSwimmer    swimmer(model, inertial_densities(model, all_inertia)), light(model);
     const RunRequest        request = sweep_options(parse_scene(model.scene_text, "reference-2d.toml"), model).base;
     const ClosedLoopOptions options{.decisions_per_second = 5.};
     const Path              line = Path::line(0.08 * swimmer.length_m());

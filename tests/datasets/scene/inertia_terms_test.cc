@@ -126,8 +126,7 @@ namespace swimtwin
   TEST(InertiaTermsOfAuto, KeepAllThatMattersInEveryMeasuredRow)
   {
     for (const auto &swimmer : measured_in_plane())
-      EXPECT_EQ(inertia_terms(swimmer.scene),
-                (InertiaTerms{.unsteady = true, .convective = true, .tail = true, .head = true}));
+      EXPECT_EQ(inertia_terms(swimmer.scene), all_inertia);
   }
 
   // Forty times the viscosity of glycerol and a tail so soft that it does not matter either: each term by itself.

@@ -1,3 +1,4 @@
+#include <datasets/scene/inertia_terms.h>
 #include <rom/integration/swimmer_integrator.h>
 #include <rom/swimmer/carried_inertia.h>
 #include <tests/control/small_model.h>
@@ -82,7 +83,7 @@ namespace swimtwin
 
     InertialDensities all_densities(const ReducedModel &model)
     {
-      return inertial_densities(model, {.unsteady = true, .convective = true, .tail = true, .head = true});
+      return inertial_densities(model, all_inertia);
     }
 
     TEST(StateTransition, LeadsASwimmerWithInertiaWhereTheIntegratorLeads)

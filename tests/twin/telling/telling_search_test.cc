@@ -96,7 +96,7 @@ namespace swimtwin
     const Watching watching(10.);
     FieldTrial     trial(watching.model, watching.config.options);
     trial.begin(watching.twin(), carrier, 0.);
-    const ReducedSwimmer swimmer(watching.model);
+    const ReducedSwimmer swimmer(watching.model, watching.config.options.densities);
     for (const FieldChange &change : {FieldChange{}, FieldChange{1., 0.6, 1.3}})
     {
       const Drive drive = changed(carrier, change);
