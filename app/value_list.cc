@@ -120,6 +120,12 @@ namespace swimtwin
     const bool   in_percent = text.ends_with('%');
     const double value =
         parse_values(option, in_percent ? text.substr(0, text.size() - 1) : text, ValueRule::positive).front();
-    return in_percent ? value / 100. : value;
+    const double     share   = in_percent ? value / 100. : value;
+    constexpr double largest = .2;
+    if (share > largest)
+      throw InputError(
+          fmt::format("{} {} is {:.3g} %, which is no agreement; choose {:g} % at most, such as 1% or 0.01.", option,
+                      text, 100. * share, 100. * largest));
+    return share;
   }
 } // namespace swimtwin

@@ -12,6 +12,6 @@ namespace swimtwin
   /// or a list of such. Throws InputError with option, value, rule and remedy.
   std::vector<double> parse_values(const std::string &option, const std::string &text, ValueRule rule);
 
-  /// "1%" or "0.01".
+  /// "1%" or "0.01", of a difference that counts as agreement: a fifth at most. Throws InputError.
   double parse_share(const std::string &option, const std::string &text);
 } // namespace swimtwin

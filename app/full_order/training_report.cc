@@ -8,10 +8,12 @@
 #include <app/written_files.h>
 #include <datasets/files/output_folder.h>
 #include <datasets/reduced/held_out_error.h>
+#include <datasets/run/run_summary_json.h>
 #include <datasets/system/console.h>
 #include <datasets/system/error.h>
 #include <reports/sweep/model_card.h>
 #include <rom/training/aimed_training.h>
+#include <rom/training/training_runs.h>
 
 #include <fmt/format.h>
 
@@ -20,17 +22,39 @@ namespace swimtwin
   namespace
   {
     /// Whether a training that is resumed has nothing left to do: rank 0 looks, the others learn it. A model that
-    /// misses the target is gone on with.
-    bool nothing_to_resume(const std::filesystem::path &folder, const double target)
+    /// misses the target, or has less than what is asked for now, is gone on with.
+    bool nothing_to_resume(const TrainingOptions &own)
     {
-      bool complete = is_speaker() && std::filesystem::exists(folder / "model.h5");
+      bool complete = is_speaker() && std::filesystem::exists(own.folder / "model.h5");
       if (complete)
       {
-        const TrainingRecord record = read_reduced_model(folder / "model.h5").record;
-        complete                    = record.target == target && missed_target(record).empty();
+        const ReducedModel model = read_reduced_model(own.folder / "model.h5");
+        complete                 = model.record.target == own.target && missed_target(model.record).empty() &&
+                   model.n_modes() >= own.n_coordinates &&
+                   static_cast<int>(model.record.held_out_runs.size()) >= own.n_held_out;
       }
       MPI_Bcast(&complete, sizeof complete, MPI_BYTE, 0, MPI_COMM_WORLD);
       return complete;
+    }
+
+    /// Throws InputError if the folder holds the training of another swimmer, or of other ranges.
+    void require_own_training(const Scene &scene, const TrainingOptions &own)
+    {
+      const auto refuse = [&](const std::filesystem::path &file) {
+        throw InputError(
+            fmt::format("--resume: {} is of another scene, or of other ranges or --steps; repeat the options "
+                        "that this training began with, or give another --output.",
+                        file.string()));
+      };
+      if (const auto file = own.folder / "model.h5"; std::filesystem::exists(file))
+        if (const ReducedModel model = read_reduced_model(file);
+            parse_scene(model.scene_text, model.scene_name).hash != scene.hash || model.range != own.range)
+          refuse(file);
+      const Scene first =
+          with_parameters(scene, training_design(own.range).front(), training_run_overrides(own.steps_per_period));
+      if (const auto file = own.folder / "runs/run-01/summary.json"; std::filesystem::exists(file))
+        if (read_run_summary_json(file).provenance.scene_hash != first.hash)
+          refuse(file);
     }
 
     /// The model is kept and says what it is worth; scripts learn from the exit code whether that is enough.
@@ -47,7 +71,7 @@ namespace swimtwin
     {
       TrainingOptions &own   = command.training;
       const bool       quiet = command.common.quiet || !is_speaker();
-      if (command.resume && nothing_to_resume(own.folder, own.target))
+      if (command.resume && nothing_to_resume(own))
       {
         if (!quiet)
           say("{} is complete: nothing to resume\n", own.folder.string());
@@ -74,6 +98,8 @@ namespace swimtwin
     inputs.push_back(find_scene(command.common.scene)); // the sinusoid that can be trained on has no file
     OutputRequest request = output_request(command.common, written_by::train(), inputs);
     request.resume        = command.resume;
+    if (command.resume)
+      agree([&] { require_own_training(scene, command.training); });
     work_in_folder_together(request, [&](const Begun &begun) { train_in_folder(command, scene, begun); });
   }
 } // namespace swimtwin

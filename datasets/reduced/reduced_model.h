@@ -159,12 +159,14 @@ namespace swimtwin
   {
     double low = 0., high = 0.;
     bool   contains(const double value) const { return value >= low && value <= high; }
+    bool   operator==(const Interval &) const = default;
   };
 
   /// Where the model was trained.
   struct TrainedRange
   {
     Interval young_modulus_Pa, viscosity_Pa_s, magnetization_A_m, frequency_Hz, bx_T, by_T;
+    bool     operator==(const TrainedRange &) const = default;
   };
 
   /// A run of the full-order model that was not used in training, and the reduced model's answer.

@@ -83,8 +83,7 @@ namespace swimtwin
   {
     const auto         given = read_sets(options_.snapshots); // refused now rather than after the runs
     TrainingRunOptions runs  = run_options("runs", "full-order runs");
-    runs.overrides           = {"time.periods=2", fmt::format("time.steps_per_period={}", options_.steps_per_period),
-                                "output.snapshots_per_period=30", "output.fields_per_period=0"};
+    runs.overrides           = training_run_overrides(options_.steps_per_period);
     for (const auto &folder : run_full_order(scene_, training_design(options_.range), runs, communicator_))
       sources_.push_back(folder / "snapshots.h5");
     sets_ = read_sets(sources_);

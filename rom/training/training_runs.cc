@@ -63,6 +63,12 @@ namespace swimtwin
     return runs;
   }
 
+  std::vector<std::string> training_run_overrides(const int steps_per_period)
+  {
+    return {"time.periods=2", fmt::format("time.steps_per_period={}", steps_per_period),
+            "output.snapshots_per_period=30", "output.fields_per_period=0"};
+  }
+
   std::vector<std::filesystem::path> run_full_order(const Scene &scene, const std::vector<RunParameters> &runs,
                                                     const TrainingRunOptions &options, const MPI_Comm communicator)
   {

@@ -23,6 +23,9 @@ namespace swimtwin
   /// matter, so this spans the range.
   std::vector<RunParameters> training_design(const TrainedRange &range);
 
+  /// What of the scene these runs override beside their parameters.
+  std::vector<std::string> training_run_overrides(int steps_per_period);
+
   struct TrainingRunOptions
   {
     std::filesystem::path         folder;

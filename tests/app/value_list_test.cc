@@ -50,4 +50,17 @@ namespace swimtwin
     expect_in(refusal("0.1:3:2.5"), "\"2.5\" is not a whole number of values");
     expect_in(refusal("-1:3:5:log", ValueRule::finite), "start it above 0");
   }
+
+  TEST(Share, IsOfAHundredOrOfOne)
+  {
+    EXPECT_DOUBLE_EQ(parse_share("--target", "1%"), 0.01);
+    EXPECT_DOUBLE_EQ(parse_share("--target", "0.01"), 0.01);
+    const auto refusal = [](const std::string &text) {
+      return message_of<InputError>([&] { parse_share("--target", text); });
+    };
+    expect_in(refusal("1"), "--target 1 is 100 %, which is no agreement; choose 20 % at most, such as 1% or 0.01.");
+    expect_in(refusal("150%"), "150 %");
+    expect_in(refusal("0"), "--target");
+    expect_in(refusal("small"), "is not a number");
+  }
 } // namespace swimtwin

@@ -52,6 +52,15 @@ namespace swimtwin
     ASSERT_EQ(swept.exit_code, 0) << swept.err;
     EXPECT_EQ(CsvTable::read(folder.path / "sweep" / "displacement_frequency.csv").n_rows(), 5u);
     expect_failure(run_tool(train_arguments(results)), 2, {"model.h5", "--force"});
+    const std::vector<std::string> of_another[] = {{"--set", "tail.poisson_ratio=0.3"}, {"--by", "0:3e-3"}};
+    for (auto another : of_another)
+    {
+      another.push_back("--resume");
+      expect_failure(run_tool(train_arguments(results, another)), 2, {"--resume", "model.h5", "of another scene"});
+    }
+    std::filesystem::remove(results / "model.h5");
+    expect_failure(run_tool(train_arguments(results, {"--set", "tail.poisson_ratio=0.3", "--resume"})), 2,
+                   {"--resume", "run-01", "of another scene"});
   }
 
   // The same runs and samples cannot be good to a part in a million.
