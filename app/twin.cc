@@ -1,5 +1,6 @@
 // Verb twin: watch a swimmer while it swims.
 #include <app/claimed_folder.h>
+#include <app/model_error.h>
 #include <app/shipped_files.h>
 #include <app/verb.h>
 #include <app/written_files.h>
@@ -14,6 +15,7 @@
 #include <twin/stream/recorded_lines.h>
 
 #include <memory>
+#include <utility>
 
 namespace swimtwin
 {
@@ -58,28 +60,34 @@ namespace swimtwin
         throw InputError("--real-time is for a recording (--replay); a stream has its own pace: leave it out.");
       if (config.steering && !command.recording.empty())
         throw InputError("a recording (--replay) cannot be steered; leave --replay or [goal] out.");
+      warn_of_model_error(model, command.model);
       const bool  has_recorded_none = !command.recording.empty() && !recorded_with_inertia(command.recording);
       const Scene scene             = parse_scene(model.scene_text, model.scene_name + ".toml");
       if (has_recorded_none && !config.states_inertia)
         config.options.densities = {};
       if (!has_recorded_none)
         warn_of_neglected_inertia(scene, config);
+      std::optional<RecordedStream> recorded;
+      if (!command.recording.empty())
+        recorded = recorded_lines(command.recording);
       OutputRequest request =
           output_request(command.common, written_by::twin(), {file, command.config, command.recording});
       for (const auto &input : config.files())
         request.inputs.push_back(input);
       request.resume = command.resumes;
       work_in_folder(request, [&](const Begun &begun) {
-        begun();
-        serve(model, config,
-              {command.common.output,
-               command.port,
-               command.page_port,
-               command.recording,
-               command.in_real_time,
-               command.resumes,
-               fingerprint(file, config),
-               {current_program_version, command.common.command_line, scene.text, scene.hash, utc_time_now()}});
+        ServiceOptions options;
+        options.folder       = command.common.output;
+        options.port         = command.port;
+        options.page_port    = command.page_port;
+        options.recording    = std::move(recorded);
+        options.in_real_time = command.in_real_time;
+        options.resumes      = command.resumes;
+        options.fingerprint  = fingerprint(file, config);
+        options.provenance   = {current_program_version, command.common.command_line, scene.text, scene.hash,
+                                utc_time_now()};
+        options.on_begun     = begun;
+        serve(model, config, options);
       });
     }
   } // namespace

@@ -58,6 +58,23 @@ namespace swimtwin
     EXPECT_FALSE(fs::exists(results / "twin-state.json"));
   }
 
+  TEST_F(TwinVerbTest, LosesNothingToARecordingThatCannotBeRead)
+  {
+    const fs::path right    = write("lab.jsonl", run({"lab", model, lab}).output);
+    const auto     replayed = [&](const fs::path &recording) {
+      return run({"twin", model, config, "--replay", recording, "--output", results, "--force"});
+    };
+    ASSERT_EQ(replayed(right).code, 0);
+    const std::string before = content(results / "twin.csv");
+    for (const fs::path &wrong : {folder.path / "missing.csv", write("wrong.csv", "time_s,x_px,y_px\n0,1,2\n")})
+      EXPECT_EQ(replayed(wrong).code, 2);
+    EXPECT_EQ(content(results / "twin.csv"), before);
+    EXPECT_TRUE(fs::exists(results / "twin.json"));
+    EXPECT_EQ(
+        run({"twin", model, config, "--replay", folder.path / "missing.csv", "--output", folder.path / "new"}).code, 2);
+    EXPECT_FALSE(fs::exists(folder.path / "new"));
+  }
+
   TEST_F(TwinVerbTest, GoesOnAfterAKillAsIfThereHadBeenNone)
   {
     const fs::path recording = write("lab.jsonl", run({"lab", model, lab}).output);

@@ -45,6 +45,8 @@ namespace swimtwin
           page_ = std::make_unique<LiveServer>(*options_.page_port, live_page);
           remark(fmt::format("the live page is at http://127.0.0.1:{}", page_->port()));
         }
+        if (options_.on_begun)
+          options_.on_begun();
         is_silent_ = true;
         if (options_.resumes)
           folder_.resume(session_);
@@ -53,7 +55,7 @@ namespace swimtwin
         is_silent_ = false;
         if (server_)
           serve_port();
-        else if (options_.recording.empty())
+        else if (!options_.recording)
         {
           session_.greet();
           converse(STDIN_FILENO);
@@ -176,7 +178,7 @@ namespace swimtwin
 
       void replay()
       {
-        const auto [lines, warnings]  = recorded_lines(options_.recording);
+        const auto &[lines, warnings] = *options_.recording;
         const auto            n_done  = static_cast<std::size_t>(session_.counts().n_lines);
         const double          start_s = wall_time_s();
         std::optional<double> first_s;
