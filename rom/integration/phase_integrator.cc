@@ -73,10 +73,10 @@ namespace swimtwin
     void *cv = integrator_.get();
     N_VConst(0., state_.get());
     CVodeSetErrHandlerFn(cv, sundials::ignore_message, nullptr);
-    CVodeInit(cv, on_rate, 0., state_.get());
+    sundials::require_memory(CVodeInit(cv, on_rate, 0., state_.get()));
     CVodeSetUserData(cv, &equations_);
-    CVodeSetLinearSolver(cv, solver_.get(), matrix_.get());
-    CVodeSetJacFn(cv, on_jacobian);
+    sundials::require_memory(CVodeSetLinearSolver(cv, solver_.get(), matrix_.get()));
+    sundials::require_memory(CVodeSetJacFn(cv, on_jacobian));
     CVodeSetMaxOrd(cv, max_order(options_.relative_tolerance));
     CVodeSetNonlinConvCoef(cv, newton_tolerance);
     CVodeSetMaxStep(cv, options_.max_step_periods);
@@ -99,7 +99,8 @@ namespace swimtwin
     sensitivities_ = sundials::made(N_VCloneVectorArray(equations_.n_parameters(), state_.get()));
     for (int i = 0; i < equations_.n_parameters(); ++i)
       N_VConst(0., sensitivities_[i]);
-    CVodeSensInit(cv, equations_.n_parameters(), CV_STAGGERED, on_sensitivities, sensitivities_);
+    sundials::require_memory(
+        CVodeSensInit(cv, equations_.n_parameters(), CV_STAGGERED, on_sensitivities, sensitivities_));
     set_tolerances(1.);
     CVodeSetSensErrCon(cv, options_.control_sensitivity_errors);
   }
@@ -109,17 +110,17 @@ namespace swimtwin
   {
     const double rtol                  = options_.relative_tolerance;
     sundials::values(tolerance_.get()) = rtol * state_scale(equations_.swimmer(), frequency_Hz);
-    CVodeSVtolerances(integrator_.get(), rtol, tolerance_.get());
+    sundials::require_memory(CVodeSVtolerances(integrator_.get(), rtol, tolerance_.get()));
     if (sensitivities_ == nullptr)
       return;
     std::vector<N_Vector> tolerances(static_cast<std::size_t>(equations_.n_parameters()), tolerance_.get());
-    CVodeSensSVtolerances(integrator_.get(), rtol, tolerances.data());
+    sundials::require_memory(CVodeSensSVtolerances(integrator_.get(), rtol, tolerances.data()));
   }
 
   void PhaseIntegrator::set_up_work()
   {
     N_VConst(0., work_.get());
-    CVodeQuadInit(integrator_.get(), on_power, work_.get());
+    sundials::require_memory(CVodeQuadInit(integrator_.get(), on_power, work_.get()));
     CVodeSetQuadErrCon(integrator_.get(), true);
   }
 
@@ -152,7 +153,7 @@ namespace swimtwin
     const double     rtol = options_.relative_tolerance;
     N_VConst(0., work_.get());
     CVodeQuadReInit(integrator_.get(), work_.get());
-    CVodeQuadSStolerances(integrator_.get(), rtol, rtol * equations_.work_scale_J_m() + tiny);
+    sundials::require_memory(CVodeQuadSStolerances(integrator_.get(), rtol, rtol * equations_.work_scale_J_m() + tiny));
   }
 
   bool PhaseIntegrator::advance_one_step(const double stop)

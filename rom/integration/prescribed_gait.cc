@@ -50,10 +50,10 @@ namespace swimtwin
     sundials::values(tolerance.get()) << swimmer.length_m() * relative_tolerance,
         swimmer.length_m() * relative_tolerance, relative_tolerance;
     CVodeSetErrHandlerFn(cv, sundials::ignore_message, nullptr);
-    CVodeInit(cv, on_pose_rate, 0., pose.get());
+    sundials::require_memory(CVodeInit(cv, on_pose_rate, 0., pose.get()));
     CVodeSetUserData(cv, &equations);
-    CVodeSVtolerances(cv, relative_tolerance, tolerance.get());
-    CVodeSetNonlinearSolver(cv, solver.get());
+    sundials::require_memory(CVodeSVtolerances(cv, relative_tolerance, tolerance.get()));
+    sundials::require_memory(CVodeSetNonlinearSolver(cv, solver.get()));
     CVodeSetMaxStep(cv, max_step_periods);
     CVodeSetMaxNumSteps(cv, max_steps);
 

@@ -55,6 +55,13 @@ namespace swimtwin::sundials
     return object;
   }
 
+  /// Of what sets an integrator up, which fails for lack of memory only; without it the next call would be lost.
+  inline void require_memory(const int flag)
+  {
+    if (flag < 0)
+      throw std::bad_alloc();
+  }
+
   inline Context make_context()
   {
     SUNContext context = nullptr;
