@@ -7,6 +7,7 @@
 
 #include <clocale>
 #include <cstdlib>
+#include <new>
 #include <optional>
 #include <tuple>
 #include <type_traits>
@@ -122,6 +123,10 @@ namespace swimtwin
     }
     broadcast(coordinates, communicator);
     broadcast(soup.cells, communicator);
+    if (message == std::bad_alloc().what())
+      throw ComputationError(
+          "memory ran out while the fluid was meshed; use a coarser mesh ([numerics] mesh_growth and "
+          "mesh sizes), or allow more memory");
     if (soup.cells.empty())
       throw ComputationError("the mesh could not be made" + (message.empty() ? "" : " (" + message + ")") +
                              ": check that the outlines do not cross and that [numerics] mesh sizes fit the geometry");

@@ -21,17 +21,28 @@ namespace swimtwin
   namespace
   {
     /// One core, MUMPS with OpenBLAS: CPU time per coupling iteration and memory against unknowns. 2D: as measured by
-    /// bench/work_precision on the shipped reference scene (docs/benchmarks.md); 3D: `simulate reference-3d-paper` at
-    /// 28,969 and 56,908 unknowns.
-    double seconds_per_iteration(const double n_unknowns, const int dimension)
+    /// bench/work-precision on the shipped reference scene; 3D: by bench/three-dimensions/costs precision, from 18,000
+    /// to 57,000 unknowns (docs/benchmarks.md). Both halves of a body in space fill their factors more than one does.
+    double seconds_per_iteration(const double n_unknowns, const Scene &scene)
     {
-      return dimension == 3 ? 0.35 * std::pow(n_unknowns / 29e3, 1.4) : 0.028 * std::pow(n_unknowns / 7400., 1.2);
+      if (scene.dimension == 2)
+        return 0.028 * std::pow(n_unknowns / 7400., 1.2);
+      return (solves_half(scene) ? 0.37 : 0.52) * std::pow(n_unknowns / 29e3, 1.4);
     }
     double memory_MB(const double n_unknowns, const int dimension, const bool iterative)
     {
-      return process_memory_MB + system_memory_MB(n_unknowns, dimension, iterative);
+      const double beside_system = dimension == 3 ? 1.2 : 1.;
+      return beside_system * (process_memory_MB + system_memory_MB(n_unknowns, dimension, iterative));
     }
-    constexpr double iterations_per_step = 1.5;
+    /// Of a monolithic step, and of fixed-point iterations, which take from 5 to 15 times as long.
+    double iterations_per_step(const Scene &scene)
+    {
+      if (scene.is_partitioned())
+        return 15.;
+      if (!scene.fluid || !inertia_terms(scene).of_fluid())
+        return 1.5;
+      return scene.dimension == 3 ? 2. : 1.7;
+    }
     /// Largest sizes that were measured: docs/stress.md, and above.
     double n_unknowns_measured(const int dimension)
     {
@@ -233,7 +244,7 @@ namespace swimtwin
       {
         plan.skipped.push_back(
             scene.dimension == 3
-                ? PlanItem{"half behind", "bodies of revolution in planar motion: z > 0 is solved and reflected"}
+                ? PlanItem{"half behind", "body and field are mirrored in z = 0: z > 0 is solved and reflected"}
                 : PlanItem{"lower half", "the scene has a mirror plane: the upper half is solved and reflected"});
         if (const std::string warning = symmetry_warning(scene); !warning.empty())
           plan.warnings.push_back(warning);
@@ -338,7 +349,7 @@ namespace swimtwin
     else
       measure<2>(scene, communicator, plan);
     plan.estimated_time_s =
-        scene.time.n_steps() * iterations_per_step * seconds_per_iteration(plan.n_unknowns, scene.dimension);
+        scene.time.n_steps() * iterations_per_step(scene) * seconds_per_iteration(plan.n_unknowns, scene);
     const bool iterative =
         scene.fluid &&
         (scene.is_partitioned() ? scene.numerics.linear_solver == LinearSolver::iterative

@@ -16,5 +16,5 @@ set -eu
 frequencies_Hz=(0.1 0.2 0.4 0.6 0.8 1.1 1.7 3.0)
 frequency=${frequencies_Hz[$SLURM_ARRAY_TASK_ID]}
 folder=$2/f-$frequency
-if [ -e "$folder/summary.json" ]; then exit 0; fi
+if grep -qs '"status": "completed"' "$folder/summary.json"; then exit 0; fi
 simulate "$folder" "$1" field.frequency_Hz="$frequency" "${@:3}"
