@@ -3,6 +3,7 @@
 #include <datasets/system/error.h>
 #include <fom/elastic/nodal_vector.h>
 #include <fom/resistance/motion_resistance.h>
+#include <rom/training/posed_body.h>
 
 #include <fmt/format.h>
 
@@ -44,40 +45,41 @@ namespace swimtwin
     }
   } // namespace
 
-  Configuration<2> ExactMotion::configuration(const Eigen::VectorXd &state, const ResistanceSource source) const
+  template <int dim>
+  Configuration<dim> ExactMotion<dim>::configuration(const Eigen::VectorXd &state, const ResistanceSource source) const
   {
-    Configuration<2> c      = swimmer_.configuration_at_rest();
-    const auto       middle = c.pose.to_laboratory(swimmer_.arm_to_middle(c.shape));
-    c.pose.angle            = state[2];
-    c.shape                 = nodal_field<2>(basis_.displacement(state.tail(basis_.n_coordinates())));
-    const auto there        = c.pose.center + dealii::Tensor<1, 2>({state[0], state[1]});
-    c.pose.center           = middle - c.pose.rotation() * swimmer_.arm_to_middle(c.shape);
+    const ShapePoint   point{state.tail(basis_.n_coordinates()), state[2]};
+    const bool         in_place = source == ResistanceSource::full_order_in_place;
+    Configuration<dim> c        = posed(swimmer_, point, nodal_field<dim>(basis_.displacement(point.q)),
+                                 in_place ? state[1] : place_.height_m(point));
     if (source != ResistanceSource::full_order_in_usual_place)
-      c.pose.center[0] = there[0];
-    c.pose.center[1] = source == ResistanceSource::full_order_in_place
-                           ? there[1]
-                           : there[1] - state[1] + place_.height_m({state.tail(basis_.n_coordinates()), state[2]});
+      c.pose.center[0] = swimmer_.configuration_at_rest().pose.center[0] + state[0];
     return c;
   }
 
-  Eigen::MatrixXd ExactMotion::resistance(const Eigen::VectorXd &state, const ResistanceSource source) const
+  template <int dim>
+  Eigen::MatrixXd ExactMotion<dim>::resistance(const Eigen::VectorXd &state, const ResistanceSource source)
   {
     const Eigen::VectorXd q = state.tail(basis_.n_coordinates());
     if (source == ResistanceSource::surrogate)
       return reduced_.resistance().resistance(q, state[2], state[1]);
-    std::vector<NodalField<2>> modes;
+    std::vector<NodalField<dim>> modes;
     for (const Eigen::MatrixXd tangent = basis_.tangent(q); const auto column : tangent.colwise())
-      modes.push_back(nodal_field<2>(column));
-    const auto      R = compute_motion_resistance(swimmer_, configuration(state, source), modes, MPI_COMM_SELF).matrix;
-    Eigen::MatrixXd result(R.m(), R.n());
+      modes.push_back(nodal_field<dim>(column));
+    const Configuration<dim> here = configuration(state, source);
+    const auto               R    = fluid_.around(here, [&](const FluidDomain<dim> &fluid) {
+      return compute_motion_resistance(swimmer_, fluid, here, modes).matrix;
+    });
+    Eigen::MatrixXd          result(R.m(), R.n());
     for (unsigned int i = 0; i < R.m(); ++i)
       for (unsigned int j = 0; j < R.n(); ++j)
         result(i, j) = R(i, j) / swimmer_.scene().fluid->viscosity_Pa_s;
     return result;
   }
 
-  double ExactMotion::displacement_m(const RunParameters &p, const ResistanceSource source, const int n_periods,
-                                     const int n) const
+  template <int dim>
+  double ExactMotion<dim>::displacement_m(const RunParameters &p, const ResistanceSource source, const int n_periods,
+                                          const int n)
   {
     constexpr double tolerance = 2e-5;
     const double     length = reduced_.length_m(), step_s = 1. / (p.frequency_Hz * n);
@@ -132,4 +134,7 @@ namespace swimtwin
     }
     return -(now[0] - begin_x);
   }
+
+  template class ExactMotion<2>;
+  template class ExactMotion<3>;
 } // namespace swimtwin

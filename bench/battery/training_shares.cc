@@ -2,7 +2,8 @@
 //
 //   bench_shares SCENE TRAINED_FOLDER WORK_FOLDER [n held-out members (2)] [steps per period (100)]
 //
-// for the scene's own run, then members of the range that no training run had. Two minutes of CPU time each.
+// for the scene's own run, then members of the range that no training run had. Two minutes of CPU time each, in space
+// an hour.
 #include <bench/battery/exact_motion.h>
 
 #include <datasets/run/run_summary_json.h>
@@ -36,7 +37,8 @@ namespace swimtwin
       return text.str();
     }
 
-    TailBasis basis_of(const Swimmer<2> &swimmer, const ReducedModel &model, const Eigen::MatrixXd &snapshots)
+    template <int dim>
+    TailBasis basis_of(const Swimmer<dim> &swimmer, const ReducedModel &model, const Eigen::MatrixXd &snapshots)
     {
       TailBasis basis;
       if (model.tail.amplitudes.are_given())
@@ -71,6 +73,7 @@ namespace swimtwin
       double full = 0., modes = 0., height = 0., usual = 0., surrogate = 0., model = 0.; ///< displacements, m
     };
 
+    template <int dim>
     class Measurement
     {
     public:
@@ -78,7 +81,7 @@ namespace swimtwin
                   const int steps)
           : scene_(scene), work_(work), steps_(steps), swimmer_(scene_, MPI_COMM_SELF),
             model_(read_reduced_model(trained / "model.h5")),
-            space_(make_tail_space(RunRecorder<2>(scene_).snapshots(swimmer_)))
+            space_(make_tail_space<dim>(RunRecorder<dim>(scene_).snapshots(swimmer_), swimmer_.tail().mesh))
       {
         const auto sets = training_sets(trained);
         basis_          = basis_of(swimmer_, model_, space_.displacements(sets));
@@ -109,7 +112,7 @@ namespace swimtwin
         const auto set    = read_snapshots(folder / "snapshots.h5");
         shares.full       = *read_run_summary_json(folder / "summary.json").summary.net_displacement_m;
         look_at_snapshots(set, member, shares);
-        const ExactMotion motion(swimmer_, model_, basis_, place_);
+        ExactMotion<dim> motion(swimmer_, model_, basis_, place_);
         using Source            = ResistanceSource;
         const auto displacement = [&](const Source source) {
           try
@@ -148,7 +151,7 @@ namespace swimtwin
 
       void look_at_snapshots(const SnapshotSet &set, const RunParameters &member, Shares &shares) const
       {
-        const ExactMotion     motion(swimmer_, model_, basis_, place_);
+        ExactMotion<dim>      motion(swimmer_, model_, basis_, place_);
         const Eigen::MatrixXd D = set.tail_displacement_m.transpose(), V = set.tail_velocity_m_s.transpose();
         const Eigen::MatrixXd q  = basis_.coordinates_of(space_, D);
         double                d2 = 0., e2 = 0., v2 = 0., w2 = 0., n = 0.;
@@ -164,7 +167,7 @@ namespace swimtwin
           if (k > D.cols() / 2)
             shares.energy =
                 std::max(shares.energy, scene_.tail->young_modulus_Pa * motion.reduced().energy().value(q.col(k)) /
-                                            elastic.energy(nodal_field<2>(D.col(k))));
+                                            elastic.energy(nodal_field<dim>(D.col(k))));
           if (k % 7 == 3)
             add_resistance_errors(motion, set, k, q.col(k), member, shares), n += 1.;
         }
@@ -175,7 +178,7 @@ namespace swimtwin
       }
 
       /// Velocities under the loads of the moment, with three resistances.
-      void add_resistance_errors(const ExactMotion &motion, const SnapshotSet &set, const Eigen::Index k,
+      void add_resistance_errors(ExactMotion<dim> &motion, const SnapshotSet &set, const Eigen::Index k,
                                  const Eigen::VectorXd &q, const RunParameters &p, Shares &shares) const
       {
         Eigen::VectorXd state(3 + q.size());
@@ -201,7 +204,7 @@ namespace swimtwin
       const Scene          &scene_;
       std::filesystem::path work_;
       int                   steps_;
-      Swimmer<2>            swimmer_;
+      Swimmer<dim>          swimmer_;
       ReducedModel          model_;
       TailBasis             basis_;
       TailSpace             space_;
@@ -222,11 +225,11 @@ namespace swimtwin
       std::fflush(stdout);
     }
 
-    void measure(const std::vector<std::string> &words)
+    template <int dim>
+    void measure(const Scene &scene, const std::vector<std::string> &words)
     {
-      const Scene scene = parse_scene(text_of_file(words[1]), words[1], {"fluid.inertia=none"});
-      const int   n = words.size() > 4 ? std::stoi(words[4]) : 2, steps = words.size() > 5 ? std::stoi(words[5]) : 100;
-      const Measurement measurement(scene, words[2], words[3], steps);
+      const int n = words.size() > 4 ? std::stoi(words[4]) : 2, steps = words.size() > 5 ? std::stoi(words[5]) : 100;
+      const Measurement<dim> measurement(scene, words[2], words[3], steps);
       fmt::print("| E (kPa) | f (Hz) | M (kA/m) | full order (mm) | all (%) | modes (%) | height (%) | way (%) | fit "
                  "(%) | steps "
                  "(%) | shapes left "
@@ -250,7 +253,9 @@ int main(int argc, char **argv)
   }
   try
   {
-    swimtwin::measure(words);
+    const swimtwin::Scene scene =
+        swimtwin::parse_scene(swimtwin::text_of_file(words[1]), words[1], {"fluid.inertia=none"});
+    scene.dimension == 2 ? swimtwin::measure<2>(scene, words) : swimtwin::measure<3>(scene, words);
     return 0;
   }
   catch (const std::exception &error)

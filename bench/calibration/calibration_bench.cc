@@ -182,7 +182,7 @@ namespace
     CalibrationProblem problem     = of_full_order_data();
     problem.n_bootstrap_samples    = 0;
     const ObservationSet exact     = without_noise(read_observations(file));
-    int                  inside[2] = {0, 0};
+    int                  inside[2] = {0, 0}, both = 0;
     for (int seed = 1; seed <= n; ++seed)
     {
       ObservationSet                   set = exact;
@@ -191,11 +191,17 @@ namespace
       for (Observation &point : set.points)
         point.displacement_m += point.sigma_m * normal(engine);
       const CalibrationResult result = calibrate(reduced, problem, {set}, {.n_threads = 2});
+      int                     held   = 0;
       for (int j = 0; j < 2; ++j)
-        inside[j] += holds(result.parameters[static_cast<std::size_t>(j)].profile, truth[j]);
+      {
+        const bool holds_it = holds(result.parameters[static_cast<std::size_t>(j)].profile, truth[j]);
+        inside[j] += holds_it;
+        held += holds_it;
+      }
+      both += held == 2;
     }
-    fmt::print("{}: {} draws of noise (seeds 1 to {}): the 95 % interval holds E/mu {} times, M/mu {} times\n",
-               exact.name, n, n, inside[0], inside[1]);
+    fmt::print("{}: {} draws of noise (seeds 1 to {}): the 95 % interval holds E/mu {} times, M/mu {} times, both {}\n",
+               exact.name, n, n, inside[0], inside[1], both);
   }
 
   /// Fits full-order data as they are, and once more without their noise: what is then left is the reduced model's
