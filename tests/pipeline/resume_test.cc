@@ -118,6 +118,19 @@ namespace swimtwin
     }
   }
 
+  // The tail in space, the flow's past, and a mesh that was made on the way.
+  TEST(Resume, AKilledSwimmerInSpaceContinuesToTheSameTrajectory)
+  {
+    const ShrunkScene swimmer =
+        coarse_swimmer_in_space(0.2).with({"fluid.inertia=full", "numerics.remesh_every_steps=3"});
+    const TemporaryFolder folder;
+    const auto            run = folder.path / "run";
+    interrupt_after(1, swimmer, run);
+    ASSERT_FALSE(std::filesystem::exists(run / "trajectory.csv"));
+    simulate(swimmer, run, {"--resume"});
+    expect_the_uninterrupted_motion(run, swimmer);
+  }
+
   TEST(Resume, ARunThatIsKilledTwiceContinuesToTheSameTrajectory)
   {
     const TemporaryFolder folder;

@@ -1,4 +1,4 @@
-// The scallop theorem: a rigid body in Stokes flow goes nowhere, whatever it is turned by.
+// The scallop theorem: a rigid body in Stokes flow goes nowhere, whatever it is turned by. In the plane and in space.
 #include <fom/step/full_order_model.h>
 #include <tests/fom/shipped_scene.h>
 
@@ -29,20 +29,37 @@ namespace swimtwin
               "time.steps_per_period=" + std::to_string(steps_per_period)};
     }
 
+    /// The same for the body as built, without walls in reach.
+    std::vector<std::string> coarse_in_space(const int steps_per_period)
+    {
+      return {"tail.law=rigid",
+              "field.frequency_Hz=0.1",
+              "numerics.mesh_size_m=1e-3",
+              "numerics.mesh_size_corner_m=4e-4",
+              "numerics.mesh_growth=1",
+              "numerics.remesh_quality=0",
+              "numerics.coupling_tolerance=1e-11",
+              "numerics.linear_tolerance=1e-12",
+              "time.periods=2.2",
+              "time.steps_per_period=" + std::to_string(steps_per_period)};
+    }
+
     struct Path
     {
       std::vector<double>   time, angle;
       std::vector<Point<2>> center;
     };
 
+    template <int dim>
     Path swim(const Scene &scene)
     {
-      FullOrderModel<2> model(scene, MPI_COMM_WORLD);
-      Path              path;
-      const auto        note = [&] {
+      FullOrderModel<dim> model(scene, MPI_COMM_WORLD);
+      Path                path;
+      const auto          note = [&] {
+        const RigidPose<dim> &pose = model.now().configuration.pose;
         path.time.push_back(model.now().time_s);
-        path.angle.push_back(model.now().configuration.pose.angle);
-        path.center.push_back(model.now().configuration.pose.center);
+        path.angle.push_back(pose.heading());
+        path.center.emplace_back(pose.center[0], pose.center[1]);
       };
       note();
       for (int step = 0; step < scene.time.n_steps(); ++step)
@@ -97,34 +114,55 @@ namespace swimtwin
 
     /// Displacement, in body lengths, between instants of equal head angle of the second period: over the stroke there
     /// and back, and over the swing to either side.
-    std::array<Tensor<1, 2>, 2> closed_stroke_displacements(const int steps_per_period)
+    template <int dim>
+    std::array<Tensor<1, 2>, 2> closed_stroke_displacements(const Scene &scene)
     {
-      const Scene  scene  = shipped_scene("rigid-swimmer", coarse_and_tight(steps_per_period));
-      const Path   path   = swim(scene);
+      const Path   path   = swim<dim>(scene);
       const double period = scene.time.period_s, length = scene.body_length_m();
       // The field swings as sin(2 pi t): a quarter of a period before and after its extremes the angle is the same.
       const Point<2> up = center_at_angle(path, 0.3, period), down = center_at_angle(path, 0.3, 1.25 * period);
       const Point<2> low_down                  = center_at_angle(path, -0.3, 1.5 * period),
                      low_up                    = center_at_angle(path, -0.3, 1.75 * period);
       const std::array<Tensor<1, 2>, 2> result = {(down - up) / length, (low_up - low_down) / length};
-      std::cout << "rigid swimmer, " << steps_per_period << " steps per period: displacement over closed strokes ("
-                << result[0] << "), (" << result[1] << ") body lengths" << std::endl;
+      std::cout << "rigid swimmer, " << scene.time.steps_per_period
+                << " steps per period: displacement over closed strokes (" << result[0] << "), (" << result[1]
+                << ") body lengths" << std::endl;
       return result;
+    }
+
+    double order_of(const Tensor<1, 2> &coarse, const Tensor<1, 2> &fine)
+    {
+      return std::log2(coarse.norm() / fine.norm());
     }
   } // namespace
 
   TEST(RigidSwimmer, ReciprocalStrokeLeavesNothingBehind)
   {
-    const auto coarse = closed_stroke_displacements(50), shipped = closed_stroke_displacements(100),
-               fine = closed_stroke_displacements(200);
+    const auto displacements = [](const int n) {
+      return closed_stroke_displacements<2>(shipped_scene("rigid-swimmer", coarse_and_tight(n)));
+    };
+    const auto coarse = displacements(50), shipped = displacements(100), fine = displacements(200);
     for (int k = 0; k < 2; ++k)
     {
-      const double order = .5 * std::log2(coarse[k].norm() / fine[k].norm());
+      const double order = .5 * order_of(coarse[k], fine[k]);
       const double limit = ((4. * fine[k] - shipped[k]) / 3.).norm();
       std::cout << "rigid swimmer: order " << order << ", limit " << limit << " body lengths" << std::endl;
       EXPECT_LE(shipped[k].norm(), 1e-4);
       EXPECT_GE(order, 2.); // BDF2
       EXPECT_LE(limit, 1e-6);
+    }
+  }
+
+  TEST(RigidSwimmer, ReciprocalStrokeLeavesNothingBehindInSpace)
+  {
+    const auto displacements = [](const int n) {
+      return closed_stroke_displacements<3>(shipped_scene("open-3d", coarse_in_space(n)));
+    };
+    const auto coarse = displacements(25), fine = displacements(50);
+    for (int k = 0; k < 2; ++k)
+    {
+      EXPECT_LE(fine[k].norm(), 1e-4);
+      EXPECT_GE(order_of(coarse[k], fine[k]), 2.);
     }
   }
 } // namespace swimtwin

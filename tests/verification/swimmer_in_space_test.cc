@@ -56,6 +56,40 @@ namespace swimtwin
     EXPECT_NEAR(swimmer.volume(configuration) / at_rest, 1., 1e-6);
   }
 
+  // From rest in a field that sets in, to a twentieth of the period. Differences of consecutive step sizes fall by 4 in
+  // the limit.
+  TEST(SwimmerInSpace, IsOfSecondOrderInTime)
+  {
+    std::vector<Configuration<3>> ends;
+    for (const int factor : {1, 2, 4, 8})
+      ends.push_back(after(
+          shipped_scene("reference-3d-paper",
+                        coarse({"tail.young_modulus_Pa=1e4", "time.steps_per_period=" + std::to_string(40 * factor),
+                                "numerics.coupling_tolerance=1e-9", "numerics.linear_tolerance=1e-9"})),
+          2 * factor));
+    const Scene         scene = shipped_scene("reference-3d-paper", coarse({}));
+    const Swimmer<3>    swimmer(scene, MPI_COMM_WORLD);
+    std::vector<double> changes;
+    for (std::size_t i = 1; i < ends.size(); ++i)
+      changes.push_back(swimmer.relative_change(ends[i - 1], ends[i]));
+    std::cout << "order in time in space: " << std::log2(changes[0] / changes[1]) << ", "
+              << std::log2(changes[1] / changes[2]) << std::endl;
+    EXPECT_GE(std::log2(changes[1] / changes[2]), 1.9);
+  }
+
+  // Every new mesh has another error; nothing else may change where the fluid is meshed anew.
+  TEST(SwimmerInSpace, MovesAsWellOnNewMeshes)
+  {
+    const Scene kept = shipped_scene("reference-3d-paper", coarse({})),
+                anew = shipped_scene("reference-3d-paper", coarse({"numerics.remesh_every_steps=2"}));
+    const Swimmer<3> swimmer(kept, MPI_COMM_WORLD);
+    const auto       end        = after(kept, 5);
+    const double     difference = swimmer.relative_change(end, after(anew, 5)),
+                 way            = swimmer.relative_change(end, swimmer.configuration_at_rest());
+    std::cout << "new meshes change " << difference << " of a motion of " << way << " body lengths" << std::endl;
+    EXPECT_LE(difference, 0.01 * way);
+  }
+
   TEST(SwimmerInSpace, HalfMovesAsTheWhole)
   {
     const Scene half  = shipped_scene("reference-3d-paper", coarse({})),
