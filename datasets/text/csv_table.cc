@@ -27,6 +27,16 @@ namespace swimtwin
                          is_empty);
     }
 
+    /// As R writes a row: its name in quotes, and numbers behind it without.
+    bool begins_with_a_row_name(const std::string_view row)
+    {
+      const auto begin = row.find_first_not_of(' ');
+      if (begin == std::string_view::npos || row[begin] != '"')
+        return false;
+      const auto next = row.find_first_not_of(" \t;,|", std::min(row.find('"', begin + 1), row.size() - 1) + 1);
+      return next != std::string_view::npos && row[next] != '"';
+    }
+
     /// What to do about rows of another length.
     std::string remedy_for_length(const std::size_t n_header, const std::string &text, const char separator)
     {
@@ -75,7 +85,8 @@ namespace swimtwin
     table.header_      = split_cells(text.rows.front().text, text.separator);
     table.header_line_ = text.rows.front().line;
     for (std::size_t i = 1; i < text.rows.size(); ++i)
-      if (Row row{text.rows[i].line, split_cells(text.rows[i].text, text.separator)};
+      if (Row row{text.rows[i].line, split_cells(text.rows[i].text, text.separator),
+                  begins_with_a_row_name(text.rows[i].text)};
           !are_empty(row.cells) && row.cells != table.header_)
         table.rows_.push_back(std::move(row));
     table.name_row_numbers();
@@ -87,19 +98,32 @@ namespace swimtwin
     return table;
   }
 
-  /// Some programs (R, ImageJ) number the rows without a name for that column.
+  /// Whether each row has one cell more than the header, and the first ones count the rows.
+  bool CsvTable::has_nameless_count() const
+  {
+    const auto number = [&](const std::size_t row) {
+      return parse_number(rows_[row].cells.front(), DecimalMark::point);
+    };
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+      if (rows_[i].cells.size() != header_.size() + 1 || rows_[i].cells.back().empty() || !number(i) ||
+          (*number(0) != 0. && *number(0) != 1.) || *number(i) != *number(0) + static_cast<double>(i))
+        return false;
+    return rows_.size() > 1 && !header_.front().empty();
+  }
+
+  /// R names the rows without a name for that column. Numbers that are not in quotes may be those of the first column
+  /// as well, and then it is the last one that has no name.
   void CsvTable::name_row_numbers()
   {
-    for (std::size_t i = 0; i < rows_.size(); ++i)
-    {
-      const auto number = parse_number(rows_[i].cells.front(), DecimalMark::point);
-      const auto first  = parse_number(rows_.front().cells.front(), DecimalMark::point);
-      if (rows_[i].cells.size() != header_.size() + 1 || rows_[i].cells.back().empty() || !number ||
-          (*first != 0. && *first != 1.) || *number != *first + static_cast<double>(i))
-        return;
-    }
-    if (rows_.size() > 1)
-      header_.insert(header_.begin(), "");
+    if (!has_nameless_count())
+      return;
+    if (!std::all_of(rows_.begin(), rows_.end(), [](const Row &row) { return row.has_row_name; }))
+      throw InputError(fmt::format("{}: the header names {} columns but the rows have {} values, and {}, {}, ... may "
+                                   "number the rows or be {} beside a last column without a name; name the column of "
+                                   "row numbers too (row), or delete the one without a name.",
+                                   where_header(), header_.size(), header_.size() + 1, rows_[0].cells.front(),
+                                   rows_[1].cells.front(), header_.front()));
+    header_.insert(header_.begin(), "");
   }
 
   /// Empty cells behind the last column go, nameless ones that are left out come back; other rows are left out.

@@ -60,9 +60,11 @@ namespace swimtwin
     {
       std::size_t              line = 0;
       std::vector<std::string> cells;
+      bool                     has_row_name = false; ///< in quotes, as R writes it
     };
 
     std::size_t require_column(const std::string &name) const;
+    bool        has_nameless_count() const;
     void        name_row_numbers();
     void        fit_lengths(char separator, std::vector<std::string> &left_out);
     void        drop_nameless_columns();

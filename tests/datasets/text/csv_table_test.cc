@@ -109,11 +109,25 @@ namespace swimtwin
 
   TEST(CsvTable, KnowsRowNumbersWithoutAName)
   {
-    expect_the_table(table_of("a b\n1 0.5 -1e-4\n2 2 3.25\n")); // R
-    expect_the_table(table_of("\"a\" \"b\"\n\"1\" 0.5 -1e-4\n\"2\" 2 3.25\n"));
+    expect_the_table(table_of("\"a\" \"b\"\n\"1\" 0.5 -1e-4\n\"2\" 2 3.25\n")); // R
     expect_the_table(table_of("\"a\",\"b\"\n\"1\",0.5,-1e-4\n\"2\",2,3.25\n"));
     expect_the_table(table_of(" \ta\tb\n1\t0.5\t-1e-4\n2\t2\t3.25\n")); // ImageJ
     expect_the_table(table_of(",a,b\n0,0.5,-1e-4\n1,2,3.25\n"));        // pandas
+    expect_the_table(table_of("row,a,b\n1,0.5,-1e-4\n2,2,3.25\n"));
+  }
+
+  TEST(CsvTable, AsksWhetherTheFirstColumnOrTheLastHasNoName)
+  {
+    const std::string either =
+        "may number the rows or be a beside a last column without a name; name the column of row "
+        "numbers too (row), or delete the one without a name.";
+    for (const std::string &text :
+         {"a,b\n1,0.5,-1e-4\n2,2,3.25\n"s, "a b\n1 0.5 -1e-4\n2 2 3.25\n"s, "a,b\n0,0.5,-1e-4\n1,2,3.25\n"s,
+          "\"a\",\"b\"\n\"1\",\"0.5\",\"2\"\n\"2\",\"2\",\"3\"\n"s})
+      expect_in(refusal_of_table(text), either);
+    expect_in(refusal_of_table("a,b\n1,0.5,3\n2,2,4\n"),
+              "t.csv:1: the header names 2 columns but the rows have 3 values, and 1, 2, ... may number");
+    expect_in(refusal_of_table("a,b\n2,0.5,3\n3,2,4\n"), "this row has 3 values but the header names 2 columns");
   }
 
   TEST(CsvTable, ReadsQuotedCells)
