@@ -25,6 +25,21 @@ namespace swimtwin
       return std::nullopt;
     }
 
+    using Columns = std::vector<std::optional<std::size_t>>;
+
+    bool holds_a_number(const CsvTable &table, const std::size_t row, const Columns &columns)
+    {
+      return std::any_of(columns.begin(), columns.end(),
+                         [&](const auto &column) { return column && table.number(row, *column); });
+    }
+
+    /// Something else than a position that is missing.
+    bool holds_a_word(const CsvTable &table, const std::size_t row, const Columns &columns)
+    {
+      return std::any_of(columns.begin(), columns.end(),
+                         [&](const auto &column) { return column && !says_none(table.cells(row)[*column]); });
+    }
+
     /// A unit as it was written, and where.
     struct WrittenUnit
     {
@@ -38,7 +53,7 @@ namespace swimtwin
       std::vector<WrittenUnit> units;
       if (const std::string unit = split_brackets(table.column_names()[column]).unit; !unit.empty())
         units.push_back({unit, table.where_header()});
-      for (std::size_t row = 0; row < n_further_header_rows(table, columns); ++row)
+      for (const std::size_t row : further_header_rows(table, columns))
       {
         const std::string     &cell  = table.cells(row)[column];
         const std::string_view inner = without_brackets(cell);
@@ -83,24 +98,28 @@ namespace swimtwin
     }
   } // namespace
 
+  bool says_none(const std::string &cell)
+  {
+    return cell.empty() || cell == "None" || cell == "NaN" || cell == "nan" || cell == "NA" || cell == "null";
+  }
+
   SpotColumns find_spot_columns(const CsvTable &table)
   {
     return {find_named(table, names_of_x), find_named(table, names_of_y), find_named(table, names_of_time),
             find_named(table, names_of_frame), find_named(table, names_of_track)};
   }
 
-  std::size_t n_further_header_rows(const CsvTable &table, const SpotColumns &columns)
+  std::vector<std::size_t> further_header_rows(const CsvTable &table, const SpotColumns &columns)
   {
-    const auto holds_a_number = [&](const std::size_t row) {
-      for (const auto &column : {columns.x, columns.y, columns.time, columns.frame})
-        if (column && table.number(row, *column))
-          return true;
-      return false;
-    };
-    std::size_t row = 0;
-    while (row < table.n_rows() && !holds_a_number(row))
-      ++row;
-    return row;
+    std::vector<std::size_t> rows;
+    bool                     is_below_a_spot = false;
+    for (std::size_t row = 0; row < table.n_rows(); ++row)
+      if (holds_a_number(table, row, {columns.x, columns.y, columns.time, columns.frame}))
+        is_below_a_spot = true;
+      else if (!is_below_a_spot ||
+               (!holds_a_number(table, row, {columns.track}) && holds_a_word(table, row, {columns.x, columns.y})))
+        rows.push_back(row);
+    return rows;
   }
 
   std::optional<double> length_of_unit(const CsvTable &table, const SpotColumns &columns, const Camera &camera,

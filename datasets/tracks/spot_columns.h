@@ -8,6 +8,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace swimtwin
 {
@@ -20,8 +21,12 @@ namespace swimtwin
 
   SpotColumns find_spot_columns(const CsvTable &table);
 
-  /// Rows between the header and the first spot: further names, and units.
-  std::size_t n_further_header_rows(const CsvTable &table, const SpotColumns &columns);
+  /// How trackers, and who saves their tables again, write that there is nothing.
+  bool says_none(const std::string &cell);
+
+  /// Rows of further names and of units, which hold no number: those above the first spot, and others wherever a
+  /// spreadsheet has sorted them to.
+  std::vector<std::size_t> further_header_rows(const CsvTable &table, const SpotColumns &columns);
 
   /// Metres per unit of the positions: the unit that the table says (a row of units wherever it stands, or brackets in
   /// the header), else the sidecar's `length_unit`. Noted as errors: no unit anywhere, one that is not known, two that

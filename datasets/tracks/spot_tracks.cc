@@ -14,20 +14,17 @@ namespace swimtwin
     using Rows   = std::vector<std::size_t>;
     using Tracks = std::map<int, Rows>;
 
-    /// How trackers, and who saves their tables again, write that a spot is outside the tracks.
-    bool says_none(const std::string &cell)
-    {
-      return cell.empty() || cell == "None" || cell == "NaN" || cell == "nan" || cell == "NA" || cell == "null";
-    }
-
     Tracks tracks_of(const CsvTable &table, const SpotColumns &columns, DataProblems &problems)
     {
       constexpr double largest = 1e9;
       Tracks           tracks;
       CellFaults       faults(table, *columns.track);
-      for (std::size_t row = n_further_header_rows(table, columns); row < table.n_rows(); ++row)
-        if (const std::optional<double> id = table.number(row, *columns.track);
-            id && *id == std::round(*id) && std::abs(*id) <= largest)
+      const Rows       names_and_units = further_header_rows(table, columns);
+      for (std::size_t row = 0; row < table.n_rows(); ++row)
+        if (std::binary_search(names_and_units.begin(), names_and_units.end(), row))
+          continue;
+        else if (const std::optional<double> id = table.number(row, *columns.track);
+                 id && *id == std::round(*id) && std::abs(*id) <= largest)
           tracks[static_cast<int>(*id)].push_back(row);
         else if (id || !says_none(table.cells(row)[*columns.track]))
           faults.add(row, "is no number of a track", "correct it, or leave it empty for a spot outside the tracks");

@@ -109,6 +109,30 @@ namespace swimtwin
     EXPECT_DOUBLE_EQ(import(keys + microns + names + spots("0")).tracks.at(0).x_m[1], 98e-6);
   }
 
+  TEST(TrackmateTable, FindsTheRowOfUnitsWhereASpreadsheetHasSortedItTo)
+  {
+    Camera in_mm;
+    in_mm.length_unit = "mm";
+    for (const std::string &sunk : {spots("0") + microns, spot(0, "0", 100.) + names + microns + spot(1, "0", 98.)})
+    {
+      const Import result = import(keys + sunk);
+      EXPECT_EQ(problem(result), "");
+      EXPECT_DOUBLE_EQ(result.tracks.at(0).x_m.at(1), 98e-6);
+      EXPECT_DOUBLE_EQ(result.tracks[0].time_s[1], 0.04);
+      expect_in(problem(import(keys + sunk, in_mm)),
+                "is in \"micron\", but [camera] length_unit of the sidecar is \"mm\"");
+    }
+    expect_in(problem(import(keys + microns + spots("0") + pixels)), "the positions are in \"pixel\" here and in ");
+  }
+
+  TEST(TrackmateTable, DoesNotTakeSpotsWithoutAPositionForHeaderRows)
+  {
+    const std::string broken  = "ID9,9,0,7.5,gone,gone,0.0,gone,gone,2.5,1\n",
+                      nowhere = "ID9,9,,7.5,NaN,NaN,0,NaN,,2.5,1\n";
+    expect_in(problem(import(keys + microns + spots("0") + broken)), "\"gone\" is not a finite number");
+    EXPECT_EQ(problem(import(keys + microns + spots("0") + nowhere)), "");
+  }
+
   TEST(TrackmateTable, FindsUnitsInTheHeader)
   {
     const std::string header =
