@@ -96,11 +96,17 @@ namespace swimtwin
       return std::nullopt;
     }
 
+    /// Of a table in pixels, or of one that was converted since, as `length_unit` says.
     std::optional<double> length_of_pixel(const CsvTable &table, const Camera &camera, DataProblems &problems)
     {
-      if (!camera.length_unit.empty() && !is_pixel(camera.length_unit))
+      const bool is_converted = !camera.length_unit.empty() && !is_pixel(camera.length_unit);
+      if (is_converted && camera.pixel_m)
+        problems.error(fmt::format("{}: the positions are in pixels of {} m by [camera] pixel_m of the sidecar, but in "
+                                   "\"{}\" by its length_unit; keep pixel_m alone for a table as DeepLabCut writes it.",
+                                   table.where_header(), *camera.pixel_m, camera.length_unit));
+      else if (is_converted)
         return unit_factor(camera.length_unit, "m");
-      if (!camera.pixel_m)
+      else if (!camera.pixel_m)
         problems.error(fmt::format("{}: DeepLabCut writes positions in pixels; give the size of one in the sidecar, "
                                    "[camera] pixel_m.",
                                    table.where_header()));

@@ -81,6 +81,21 @@ namespace swimtwin
     expect_in(result.problems.all().at(1).text, "give the time between two in the sidecar, [camera] frame_s");
   }
 
+  TEST(DeeplabcutTable, RefusesTwoUnitsOfItsPositions)
+  {
+    Camera camera      = calibrated();
+    camera.length_unit = "um";
+    const Reading both = read_film(labels + frames(), camera, "head");
+    EXPECT_TRUE(both.tracks.empty());
+    expect_in(both.problem(), "film.csv:1: the positions are in pixels of 5e-06 m by [camera] pixel_m of the sidecar, "
+                              "but in \"um\" by its length_unit; keep pixel_m alone");
+    camera.pixel_m.reset();
+    EXPECT_DOUBLE_EQ(read_film(labels + frames(), camera, "head").tracks.at(0).x_m[2], 98e-6);
+    camera             = calibrated();
+    camera.length_unit = "pixel";
+    EXPECT_DOUBLE_EQ(read_film(labels + frames(), camera, "head").tracks.at(0).x_m[2], 98. * 5e-6);
+  }
+
   TEST(DeeplabcutTable, TellsIndividualsApart)
   {
     const std::string two =
