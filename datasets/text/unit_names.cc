@@ -182,6 +182,19 @@ namespace swimtwin
     return a && b && a->dimension == b->dimension ? std::optional(a->size / b->size) : std::nullopt;
   }
 
+  std::optional<std::string> repaired_unit(const std::string_view unit)
+  {
+    std::string text(without_brackets(unit));
+    for (const char *micro : {"\\u00B5", "\\u00b5", "\\u03BC", "\\u03bc", "&micro;", "&mu;"})
+      replace_all(text, micro, "?");
+    const auto  is_sound = [](const char c) { return static_cast<unsigned char>(c) < 0x80 && c != '?'; };
+    const auto  sound    = std::find_if(text.begin(), text.end(), is_sound);
+    std::string repaired = "u" + std::string(sound, text.end());
+    if (sound == text.begin() || unit_factor(unit, unit) || !unit_factor(repaired, repaired))
+      return std::nullopt;
+    return repaired;
+  }
+
   bool is_pixel(const std::string_view unit)
   {
     const std::string name = lower_case(without_brackets(unit));
@@ -205,6 +218,20 @@ namespace swimtwin
       if (at > 0 && at + 1 < name.size())
         readings.push_back({stem_of(name.substr(0, at)), std::string(name.substr(at + 1))});
     return readings;
+  }
+
+  std::optional<NameWithUnit> reading_with_unit(const std::string_view name)
+  {
+    for (NameWithUnit &reading : readings_of(name))
+      if (!reading.unit.empty() && unit_factor(reading.unit, reading.unit))
+        return std::move(reading);
+    return std::nullopt;
+  }
+
+  std::string name_in_unit(const std::string_view name, const std::string_view unit)
+  {
+    const std::optional<NameWithUnit> reading = reading_with_unit(name);
+    return (reading ? reading->stem : stem_of(name)) + "_" + plain_spelling(unit);
   }
 
   std::optional<double> factor_between_names(const std::string_view name, const std::string_view wanted)

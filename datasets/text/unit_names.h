@@ -17,6 +17,10 @@ namespace swimtwin
   /// Whether a unit is a pixel of the camera, whose size only the laboratory knows.
   bool is_pixel(std::string_view unit);
 
+  /// The unit that one was before its sign for micro was damaged on the way (`Âµm`, `?m`, `\u00B5m` -> `um`);
+  /// none if it is no such unit.
+  std::optional<std::string> repaired_unit(std::string_view unit);
+
   /// `(micron)` or `[micron]` -> `micron`.
   std::string_view without_brackets(std::string_view unit);
 
@@ -30,6 +34,11 @@ namespace swimtwin
   NameWithUnit split_brackets(std::string_view name);
   /// Every way to read a name: all of it, what stands before brackets, before each `_`.
   std::vector<NameWithUnit> readings_of(std::string_view name);
+
+  /// The reading of a name whose unit is known, the longest one: `mean_speed_mm_s` -> `mean_speed` and `mm_s`.
+  std::optional<NameWithUnit> reading_with_unit(std::string_view name);
+  /// `displacement_m` in `cm` is `displacement_cm`.
+  std::string name_in_unit(std::string_view name, std::string_view unit);
 
   /// What to multiply numbers called `name` with to call them `wanted` (`displacement_mm`, `displacement_m`); none if
   /// they are not the same quantity or a unit is not known.

@@ -28,7 +28,20 @@ namespace swimtwin
       return std::nullopt;
     }
 
-    /// What names of the same stem lack: a unit at all, or one that can be converted.
+    /// A name of the right stem lacks a unit at all, or one that can be converted.
+    std::string remedy_for_unit(const std::string &name, const std::string &unit, const std::string &column,
+                                const std::string &wanted_unit)
+    {
+      if (unit.empty())
+        return fmt::format("write the unit of \"{}\" into its name, as in {}; other units are converted", name, column);
+      if (const auto repaired = repaired_unit(unit))
+        return fmt::format(
+            "name \"{}\", where the sign for micro was damaged on the way, {}, or save the table as UTF-8", name,
+            name_in_unit(column, *repaired));
+      return fmt::format("\"{}\" is in {}, whose size is not known here: compute the numbers in {} and name them {}",
+                         name, unit, wanted_unit, column);
+    }
+
     std::string remedy_for_unit(const std::vector<std::string> &names, const std::string &column)
     {
       for (const NameWithUnit &wanted : readings_of(column))
@@ -36,13 +49,7 @@ namespace swimtwin
           for (const std::string &name : names)
             for (const NameWithUnit &reading : readings_of(name))
               if (reading.stem == wanted.stem)
-                return reading.unit.empty()
-                           ? fmt::format("write the unit of \"{}\" into its name, as in {}; other units are converted",
-                                         name, column)
-                           : fmt::format(
-                                 "\"{}\" is in {}, whose size is not known here: compute the numbers in {} and name "
-                                 "them {}",
-                                 name, reading.unit, wanted.unit, column);
+                return remedy_for_unit(name, reading.unit, column, wanted.unit);
       return "";
     }
 

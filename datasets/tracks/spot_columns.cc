@@ -92,6 +92,16 @@ namespace swimtwin
       return units.empty() ? WrittenUnit() : units.front();
     }
 
+    std::string remedy_for_length(const std::string &unit)
+    {
+      if (const auto repaired = repaired_unit(unit))
+        return fmt::format("where the sign for micro was damaged on the way; write ({}), or save the table as UTF-8",
+                           *repaired);
+      return "which is not a known unit of length; set the unit of the images in Fiji (Image > Properties), or write "
+             "the "
+             "one that it is, such as (um), or (pixel) if the numbers are pixels, and then [camera] pixel_m";
+    }
+
     std::string x_name(const CsvTable &table, const SpotColumns &columns)
     {
       return table.column_names()[*columns.x];
@@ -146,10 +156,7 @@ namespace swimtwin
     else if (is_pixel(unit))
       return camera.pixel_m;
     else if (const std::optional<double> size = unit_factor(unit, "m"); !size)
-      problems.error(
-          fmt::format("{}: {} is in \"{}\", which is not a known unit of length; set the unit of the images in Fiji "
-                      "(Image > Properties), or write (pixel) and give [camera] pixel_m.",
-                      stated->where, name, unit));
+      problems.error(fmt::format("{}: {} is in \"{}\", {}.", stated->where, name, unit, remedy_for_length(unit)));
     else
     {
       if (camera.pixel_m)

@@ -117,6 +117,8 @@ namespace swimtwin
     expect_in(message_for_curve("1,2,3\n2,3,4\n", "frequency_Hz,displacement_px,sigma_m"),
               "\"displacement_px\" is in px, whose size is not known here: compute the numbers in m and name them "
               "displacement_m.");
+    expect_in(message_for_curve("1,2,3\n2,3,4\n", "frequency_Hz,Displacement (?m),sigma_m"),
+              "name \"Displacement (?m)\", where the sign for micro was damaged on the way, displacement_um, or save");
     expect_in(message_for_curve("1,2,3,4\n2,3,4,5\n", "frequency_Hz,displacement_mm,displacement_um,sigma_m"),
               "\"displacement_mm\" and \"displacement_um\" may both be it; keep one of them.");
     expect_in(message_for_curve("1,2,3\n2,3,4\n", "frequency_Hz,way,sigma_m"), "(nearest name: sigma_m)");

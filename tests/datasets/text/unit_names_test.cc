@@ -60,4 +60,22 @@ namespace swimtwin
     EXPECT_FALSE(factor_between_names("sigma_m_s", "sigma_m"));
     EXPECT_FALSE(factor_between_names("distance_mm", "displacement_m"));
   }
+
+  TEST(UnitNames, AreRepairedWhereTheSignForMicroWasDamaged)
+  {
+    for (const char *name : {"\u00C2\u00B5m", "\u00E6m", "(?m)", "[\\u00B5m]", "&micro;m", "\uFFFDm", "\u00CE\u00BCm"})
+      EXPECT_EQ(repaired_unit(name), "um") << name;
+    EXPECT_EQ(repaired_unit("?m/s"), "um/s");
+    for (const char *name : {"\u00B5m", "um", "m", "pixel", "furlong", "?", "??pixel", ""})
+      EXPECT_FALSE(repaired_unit(name)) << name;
+  }
+
+  TEST(UnitNames, StandInNames)
+  {
+    EXPECT_EQ(reading_with_unit("mean_speed_mm_s")->stem, "mean_speed");
+    EXPECT_EQ(reading_with_unit("Displ. [mm]")->unit, "mm");
+    EXPECT_FALSE(reading_with_unit("displacement_px"));
+    EXPECT_EQ(name_in_unit("displacement_m", "cm"), "displacement_cm");
+    EXPECT_EQ(name_in_unit("mean_speed_m_s", "\u00B5m / s"), "mean_speed_um_s");
+  }
 } // namespace swimtwin

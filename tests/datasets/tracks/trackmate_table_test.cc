@@ -156,6 +156,19 @@ namespace swimtwin
     EXPECT_EQ(problem(import(keys + names + microns + spots("0"), camera)), "");
   }
 
+  TEST(TrackmateTable, KnowsADamagedSignForMicro)
+  {
+    for (const char *unit : {"(\u00C2\u00B5m)", "(\u00E6m)", "(?m)", "(\\u00B5m)"})
+      expect_in(
+          problem(import(keys + names + replaced(replaced(microns, "(micron)", unit), "(micron)", unit) + spots("0"))),
+          "where the sign for micro was damaged on the way; write (um), or save the table as UTF-8.");
+    expect_in(
+        problem(
+            import(keys + names + replaced(replaced(microns, "(micron)", "(ell)"), "(micron)", "(ell)") + spots("0"))),
+        "\"ell\", which is not a known unit of length; set the unit of the images in Fiji (Image > Properties), or "
+        "write the one that it is, such as (um), or (pixel) if the numbers are pixels");
+  }
+
   TEST(TrackmateTable, ReadsWhatImageJSaves)
   {
     std::string text = " \tLabel\tTRACK_ID\tPOSITION_X\tPOSITION_Y\tPOSITION_T\tFRAME\n";
