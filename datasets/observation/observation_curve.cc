@@ -107,7 +107,8 @@ namespace swimtwin
   void read_curve(const CsvTable &table, ObservationSet &set, DataProblems &problems)
   {
     const CurveColumns columns = columns_of(table);
-    if (!has_names(table, {"frequency_Hz", columns.value, columns.sigma}, problems))
+    if (!has_names(table, {"frequency_Hz", columns.value, columns.sigma}, problems) ||
+        has_row_of_units(table, problems))
       return;
     DataProblems own;
     refuse_twin_columns(table, own);

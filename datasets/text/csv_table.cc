@@ -2,6 +2,7 @@
 #include <datasets/text/csv_table.h>
 #include <datasets/text/delimited_text.h>
 #include <datasets/text/foreign_format.h>
+#include <datasets/text/row_of_units.h>
 #include <datasets/text/text_decoding.h>
 #include <datasets/text/text_line.h>
 #include <datasets/text/unit_names.h>
@@ -260,6 +261,8 @@ namespace swimtwin
 
   std::string CsvTable::remedy(const std::size_t row, const std::size_t column) const
   {
+    if (const auto units = find_row_of_units(header_, rows_.at(row).cells))
+      return units->remedy;
     return remedy_for_number(rows_.at(row).cells.at(column), marks_.at(column));
   }
 

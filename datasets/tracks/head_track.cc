@@ -91,7 +91,7 @@ namespace swimtwin
   std::vector<HeadTrack> head_tracks(const CsvTable &table, const Recording *recording, const double period_start_s,
                                      DataProblems &problems)
   {
-    if (!has_names(table, {"time_s", "x_m", "y_m"}, problems))
+    if (!has_names(table, {"time_s", "x_m", "y_m"}, problems) || has_row_of_units(table, problems))
       return {};
     DataProblems       own;
     const TrackColumns columns = read_columns(table, own);

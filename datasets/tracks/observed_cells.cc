@@ -1,4 +1,5 @@
 #include <datasets/system/nearest_name.h>
+#include <datasets/text/row_of_units.h>
 #include <datasets/text/toml_table.h>
 #include <datasets/text/unit_names.h>
 #include <datasets/tracks/observed_cells.h>
@@ -186,6 +187,19 @@ namespace swimtwin
         return false;
       }
     return true;
+  }
+
+  bool has_row_of_units(const CsvTable &table, DataProblems &problems)
+  {
+    for (std::size_t row = 0; row < table.n_rows(); ++row)
+      if (const auto units = find_row_of_units(table.column_names(), table.cells(row)))
+      {
+        const std::string sentence = fmt::format("{}: {}.", table.where(row), units->remedy);
+        problems.error(sentence, units->contradicts_a_name ? std::vector<WrongRow>()
+                                                           : std::vector<WrongRow>{{table.line(row), sentence}});
+        return true;
+      }
+    return false;
   }
 
   void CellFaults::add(const std::size_t row, const std::string &fault, const std::string &remedy)

@@ -53,6 +53,9 @@ namespace swimtwin
   /// stand further down. `columns` are the wanted ones.
   bool has_names(const CsvTable &table, const std::vector<std::string> &columns, DataProblems &problems);
 
+  /// Whether a row below the names holds their units: noted in one sentence for all of its cells.
+  bool has_row_of_units(const CsvTable &table, DataProblems &problems);
+
   /// The cells of some rows times `factor`; those that are no finite numbers are noted and left out.
   std::vector<double> scaled_cells(const CsvTable &table, std::size_t column, const std::vector<std::size_t> &rows,
                                    double factor, DataProblems &problems);

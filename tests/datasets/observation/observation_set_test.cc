@@ -128,6 +128,21 @@ namespace swimtwin
               "data.csv:1: this row names no column, but line 2 does; delete the lines above that");
   }
 
+  TEST(ObservationLint, SaysWhatARowOfUnitsContradicts)
+  {
+    const std::string rows = "0.4,0.017,3e-4\n0.8,0.018,4e-4\n";
+    for (const std::string &text : {"Hz,cm,cm\n" + rows, rows + "(Hz),(cm),(cm)\n"})
+    {
+      const std::string message = message_for_curve(text);
+      expect_in(message, ": this row says that displacement_m is in cm: if so, name that column displacement_cm, else "
+                         "correct the row; then leave the row out.");
+      EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+    }
+    EXPECT_EQ(message_for_curve("Hz,m,m\n" + rows).substr(message_for_curve("Hz,m,m\n" + rows).find(":2:")),
+              ":2: this row holds units, which stand in the names of the columns: leave it out.");
+    expect_in(message_for_curve("s,um,um\n0,1,2\n", "time_s,x_m,y_m"), "name that column x_um");
+  }
+
   TEST(ObservationLint, RefusesWhatIsNotANumber)
   {
     expect_in(

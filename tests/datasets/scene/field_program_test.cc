@@ -180,6 +180,14 @@ namespace swimtwin
     expect_in(message_for("time_s,bx_T,by_T\n0,1 T,0\n", 4.), "field.csv:2: bx_T");
   }
 
+  TEST(FieldProgram, SaysWhatARowOfUnitsContradicts)
+  {
+    expect_in(message_for("time_s,bx_T,by_T\ns,mT,mT\n0,1,0\n0.5,2,1\n1.0,3,0\n1.5,2,-1\n", 2.),
+              "field.csv:2: time_s = \"s\" is not a finite number; this row says that bx_T is in mT: if so, name that "
+              "column bx_mT, else correct the row; then leave the row out.");
+    expect_in(message_for("time_s,bx_mT,by_mT\n0,1,0\n", 2.), "multiply bx_mT by 0.001 and name it bx_T.");
+  }
+
   TEST(FieldProgram, RefusesARowOfAnotherLength)
   {
     expect_in(message_for("time_s,bx_T,by_T\n0,1,1\n1,1\n", 4.), "field.csv:3: this row has 2 values");
