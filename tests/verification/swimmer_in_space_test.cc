@@ -57,7 +57,7 @@ namespace swimtwin
   }
 
   // From rest in a field that sets in. Bending settles within a step or two, so that the order is approached from
-  // below: 1.75 from 40, 80 and 160 steps per period, 1.88 from twice as many (docs/verification.md).
+  // below: 1.77 from 40, 80 and 160 steps per period, 1.88 from twice as many (docs/verification.md).
   TEST(SwimmerInSpace, IsOfSecondOrderInTime)
   {
     std::vector<Configuration<3>> ends;
