@@ -1,4 +1,5 @@
 #include <datasets/observation/observation_curve.h>
+#include <datasets/text/unit_names.h>
 #include <datasets/tracks/observed_cells.h>
 
 #include <fmt/format.h>
@@ -17,9 +18,16 @@ namespace swimtwin
       std::string value, sigma, unit;
     };
 
+    bool is_speed(const std::string &name)
+    {
+      const auto reading = reading_with_unit(name);
+      return reading && unit_factor(reading->unit, "m_s");
+    }
+
     CurveColumns columns_of(const CsvTable &table)
     {
-      if (!find_quantity(table, "displacement_m") && find_quantity(table, "mean_speed_m_s"))
+      const auto &names = table.column_names();
+      if (!find_quantity(table, "displacement_m") && std::any_of(names.begin(), names.end(), is_speed))
         return {"mean_speed_m_s", "sigma_m_s", "m/s"};
       return {"displacement_m", "sigma_m", "m"};
     }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <limits>
 
@@ -54,12 +55,50 @@ namespace swimtwin
       return "";
     }
 
+    constexpr std::array<const char *, 9> quantities{"frequency_Hz", "displacement_m", "sigma_m", "mean_speed_m_s",
+                                                     "sigma_m_s",    "time_s",         "x_m",     "y_m",
+                                                     "angle_rad"};
+
+    /// Names that are not taken: those of no quantity that is known here.
+    std::vector<std::string> free_names(const CsvTable &table)
+    {
+      std::vector<std::string> names = table.column_names();
+      std::erase_if(names, [](const std::string &name) {
+        return name.empty() || std::any_of(quantities.begin(), quantities.end(), [&](const char *quantity) {
+                 return factor_between_names(name, quantity).has_value();
+               });
+      });
+      return names;
+    }
+
+    /// Of the names, those in a unit that can be converted to that of the column.
+    std::vector<std::string> names_in_units_of(const std::string &column, std::vector<std::string> names)
+    {
+      const auto wanted = reading_with_unit(column);
+      std::erase_if(names, [&](const std::string &name) {
+        const auto reading = reading_with_unit(name);
+        return !wanted || !reading || !unit_factor(reading->unit, wanted->unit);
+      });
+      return names;
+    }
+
+    /// A column that says its unit keeps it.
     std::string remedy_for_header(const CsvTable &table, const std::string &column, const std::string_view unit)
     {
-      const std::vector<std::string> &names = table.column_names();
-      if (const std::string remedy = remedy_for_unit(names, column); !remedy.empty())
+      if (const std::string remedy = remedy_for_unit(table.column_names(), column); !remedy.empty())
         return remedy;
-      return fmt::format("add it ({}), or rename the column that holds it (nearest name: {})", unit,
+      std::vector<std::string> names = free_names(table);
+      if (const auto alike = names_in_units_of(column, names); !alike.empty())
+      {
+        const std::string nearest = nearest_name(column, alike);
+        const std::string own     = name_in_unit(column, reading_with_unit(nearest)->unit);
+        return fmt::format("add it ({}), or, if \"{}\" holds it, name that {}{}", unit, nearest, own,
+                           own == column ? "" : ", which is converted");
+      }
+      std::erase_if(names, [](const std::string &name) { return reading_with_unit(name).has_value(); });
+      if (names.empty())
+        return fmt::format("add it ({})", unit);
+      return fmt::format("add it ({}), or rename the column that holds it (nearest name: {}), with its unit", unit,
                          nearest_name(column, names));
     }
 

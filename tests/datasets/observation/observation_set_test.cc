@@ -121,11 +121,29 @@ namespace swimtwin
               "name \"Displacement (?m)\", where the sign for micro was damaged on the way, displacement_um, or save");
     expect_in(message_for_curve("1,2,3,4\n2,3,4,5\n", "frequency_Hz,displacement_mm,displacement_um,sigma_m"),
               "\"displacement_mm\" and \"displacement_um\" may both be it; keep one of them.");
-    expect_in(message_for_curve("1,2,3\n2,3,4\n", "frequency_Hz,way,sigma_m"), "(nearest name: sigma_m)");
+    expect_in(message_for_curve("1,2,3\n2,3,4\n", "frequency_Hz,way,sigma_m"), "(nearest name: way)");
     expect_in(message_for_curve("0.8,1e-4,1e-6\n", "0.4,1e-4,1e-6"),
               "data.csv:1: the first row holds numbers; put a row of column names");
     expect_in(message_for_curve("frequency_Hz,displacement_m,sigma_m\n0.8,1e-4,1e-6\n", "run 3,,of May"),
               "data.csv:1: this row names no column, but line 2 does; delete the lines above that");
+  }
+
+  TEST(ObservationLint, LetsAColumnInAnotherUnitKeepIt)
+  {
+    const auto advice_for = [](const std::string &header) { return message_for_curve("1,2,3\n2,3,4\n", header); };
+    expect_in(advice_for("frequency_Hz,disp_mm,sigma_m"), "the column displacement_m is missing; add it (m), or, if "
+                                                          "\"disp_mm\" holds it, name that displacement_mm, which is "
+                                                          "converted.");
+    expect_in(advice_for("frequency_Hz,Displ. [mm],sigma_m"), "\"Displ. [mm]\" holds it, name that displacement_mm,");
+    expect_in(advice_for("frequency_Hz,Verschiebung (\u00B5m),sigma_m"), "name that displacement_um,");
+    expect_in(advice_for("frequency_Hz,displacement_m,std_um"), "if \"std_um\" holds it, name that sigma_um,");
+    expect_in(advice_for("freq_mHz,displacement_m,sigma_m"), "if \"freq_mHz\" holds it, name that frequency_mHz,");
+    expect_in(advice_for("t [ms],x_um,y_um"), "if \"t [ms]\" holds it, name that time_ms,");
+    expect_in(advice_for("frequency_Hz,speed_mm_s,sigma_mm_s"),
+              "if \"speed_mm_s\" holds it, name that mean_speed_mm_s,");
+    expect_in(advice_for("frequency_Hz,way_m,sigma_m"), "if \"way_m\" holds it, name that displacement_m.");
+    expect_in(advice_for("frequency_Hz,,sigma_m"), "the column displacement_m is missing; add it (m).");
+    expect_in(advice_for("frequency_Hz,displacement_m,run_h"), "give one standard deviation");
   }
 
   TEST(ObservationLint, SaysWhatARowOfUnitsContradicts)
