@@ -230,6 +230,18 @@ namespace swimtwin
     return bytes;
   }
 
+  bool is_there(const fs::path &path)
+  {
+    std::error_code in_the_way;
+    return fs::exists(path, in_the_way);
+  }
+
+  bool is_folder(const fs::path &path)
+  {
+    std::error_code in_the_way;
+    return fs::is_directory(path, in_the_way);
+  }
+
   bool is_locked(const fs::path &file)
   {
     const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);

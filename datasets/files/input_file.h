@@ -27,6 +27,10 @@ namespace swimtwin
   /// or a workbook. Nothing if it is none of these.
   std::optional<std::string> foreign_content(std::string_view content);
 
+  /// Whether there is such a file or folder, as far as one may look: what is in the way is said when it is read.
+  bool is_there(const std::filesystem::path &path);
+  bool is_folder(const std::filesystem::path &path);
+
   inline constexpr const char *locked_by_another_program =
       "it is locked by another program, which has it open to write; wait until that has ended, or close the file there";
 

@@ -1,3 +1,4 @@
+#include <datasets/files/input_file.h>
 #include <datasets/observation/observation_files.h>
 
 #include <boost/algorithm/string/case_conv.hpp>
@@ -104,7 +105,7 @@ namespace swimtwin
   {
     fs::path own = table, shared = table;
     own += ".toml";
-    return fs::exists(own) ? own : shared.replace_extension(".toml");
+    return is_there(own) ? own : shared.replace_extension(".toml");
   }
 
   fs::path table_to_read(const fs::path &named, const ObservationSidecar &sidecar, DataProblems &problems)

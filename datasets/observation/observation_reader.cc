@@ -151,15 +151,15 @@ namespace swimtwin
       const std::filesystem::path toml = is_sidecar(named) ? named : sidecar_of(named);
       ObservationSidecar          sidecar;
       sidecar.file = toml;
-      if (std::filesystem::exists(toml))
-        sidecar = read_observation_sidecar(toml, problems);
-      else if (!is_sidecar(named) && std::filesystem::exists(named))
-        note_missing_sidecar(named, toml, problems);
-      else
+      if (is_folder(named) || (!is_there(toml) && !is_there(named)))
       {
         problems.attempt([&] { read_text_file(named, "the observations"); });
         return set;
       }
+      if (is_there(toml))
+        sidecar = read_observation_sidecar(toml, problems);
+      else
+        note_missing_sidecar(named, toml, problems);
       const std::filesystem::path table = table_to_read(named, sidecar, problems);
       set.name                          = named.stem().string();
       set.file                          = table.empty() ? toml : table;

@@ -1,3 +1,4 @@
+#include <datasets/files/input_file.h>
 #include <datasets/scene/field_period.h>
 #include <datasets/text/text_decoding.h>
 #include <datasets/text/toml_table.h>
@@ -103,7 +104,7 @@ namespace swimtwin
       double      period_s = 0.;
       table.text("program", program);
       const std::filesystem::path file = sidecar.file.parent_path() / program;
-      const Need                  need = std::filesystem::exists(period_file(file)) ? Need::optional : Need::required;
+      const Need                  need = is_there(period_file(file)) ? Need::optional : Need::required;
       table.number("period_s", {"s", positive, need}, period_s);
       for (const char *other : {"bx_T", "by_T"})
         if (table.has(other))

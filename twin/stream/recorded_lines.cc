@@ -275,7 +275,7 @@ namespace swimtwin
       if (const CsvTable table = read_table(file); is_field_log(table))
         return stream_of_log(table);
     const std::filesystem::path toml = is_sidecar(file) ? file : sidecar_of(file);
-    if (!std::filesystem::exists(toml) && !is_sidecar(file))
+    if (!is_there(toml) && !is_sidecar(file))
       throw InputError(
           fmt::format("{}: the recording has no field: give it columns bx_T and by_T, or a sidecar {} with "
                       "[field] (docs/file-formats.md, Observations).",
@@ -301,7 +301,6 @@ namespace swimtwin
   {
     const std::filesystem::path toml = is_sidecar(recording) ? recording : sidecar_of(recording);
     DataProblems                problems; // those of the sidecar are told when its tracks are read
-    return recording.extension() == ".jsonl" || !std::filesystem::exists(toml) ||
-           read_observation_sidecar(toml, problems).has_inertia;
+    return recording.extension() == ".jsonl" || !is_there(toml) || read_observation_sidecar(toml, problems).has_inertia;
   }
 } // namespace swimtwin

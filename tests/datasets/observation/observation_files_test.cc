@@ -70,6 +70,25 @@ namespace swimtwin
               "and [[recording]] both say what to read; keep one of them");
   }
 
+  TEST(ObservationFile, ThatCannotBeLookedAtIsNamed)
+  {
+    const TemporaryFolder folder;
+    const auto            loop = folder.path / "loop", long_name = folder.path / (std::string(300, 'x') + ".csv");
+    std::filesystem::create_symlink("loop", loop);
+    for (const auto &named : {loop / "data.csv", loop / "data.toml", long_name})
+      expect_in(message_of<InputError>([&] { read_observations(named); }),
+                "cannot read the observations " + named.string() + ": ");
+  }
+
+  TEST(ObservationFile, IsNoFolder)
+  {
+    const ObservationFiles files(example_curve);
+    std::filesystem::create_directory(files.folder.path / "data");
+    const auto message = message_of<InputError>([&] { read_observations(files.folder.path / "data"); });
+    expect_in(message, "/data: Is a directory; name a file in it.");
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+  }
+
   TEST(ObservationNames, TellSetsApart)
   {
     const TemporaryFolder              folder;
