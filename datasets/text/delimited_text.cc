@@ -90,14 +90,21 @@ namespace swimtwin
       return rows;
     }
 
-    /// A row that a spreadsheet's error begins: `#N/A`, `#DIV/0!`, which is no comment.
+    /// What a spreadsheet writes where it has no number (`#N/A N/A`, `#DIV/0!`), or no room for one (`####`).
+    bool is_error_of_a_spreadsheet(const std::string_view cell)
+    {
+      constexpr std::array<std::string_view, 6> words{"#NV", "#N/D", "#N/B", "#I/T", "#SAKNAS", "#\u041D/\u0414"};
+      return cell.starts_with("#N/A") || std::find(words.begin(), words.end(), cell) != words.end() ||
+             ((cell.ends_with('!') || cell.ends_with('?')) && cell.find(' ') == std::string_view::npos) ||
+             (cell.size() > 1 && cell.find_first_not_of('#') == std::string_view::npos);
+    }
+
+    /// A row whose first cell is such an error, which is no comment.
     bool begins_with_an_error(const std::string_view row)
     {
-      const auto end  = row.find_first_of("\t;,|");
-      const auto cell = row.substr(0, end);
-      return end != std::string_view::npos &&
-             (cell == "#N/A" || cell == "#NV" || cell.ends_with('!') || cell.ends_with('?')) &&
-             cell.find(' ') == std::string_view::npos;
+      const auto end = row.find_first_of(separators);
+      return end != std::string_view::npos && is_error_of_a_spreadsheet(trimmed(row.substr(0, end))) &&
+             !is_blank(row.substr(end));
     }
 
     /// `sep=;` of the first line, which Excel writes and reads; it is taken out.
@@ -226,11 +233,15 @@ namespace swimtwin
   DelimitedText split_rows(const std::string_view text, const std::string &file)
   {
     DelimitedText result;
-    result.rows       = rows_of(text);
-    const char stated = stated_separator(result.rows, file);
-    std::erase_if(result.rows, [](const TextRow &row) {
+    result.rows                    = rows_of(text);
+    const char stated              = stated_separator(result.rows, file);
+    bool       is_below_the_header = false;
+    std::erase_if(result.rows, [&](const TextRow &row) {
       const std::string_view content = trimmed(row.text);
-      return is_blank(content) || (is_comment(content) && !begins_with_an_error(content));
+      const bool             is_row =
+          !is_blank(content) && (!is_comment(content) || (is_below_the_header && begins_with_an_error(content)));
+      is_below_the_header = is_below_the_header || is_row;
+      return !is_row;
     });
     result.separator = stated != '\0' ? stated : find_separator(result.rows, file);
     return result;

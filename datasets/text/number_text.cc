@@ -117,6 +117,8 @@ namespace swimtwin
 
   std::string remedy_for_number(const std::string_view cell, const DecimalMark mark)
   {
+    if (cell.size() > 1 && cell.find_first_not_of('#') == std::string_view::npos)
+      return "a spreadsheet writes # where a column is too narrow: make it wider and save the table again";
     const auto n_points = std::count(cell.begin(), cell.end(), '.'),
                n_commas = std::count(cell.begin(), cell.end(), ',');
     const bool starts_like_a_number =

@@ -145,6 +145,13 @@ namespace swimtwin
     EXPECT_EQ(table.n_rows(), 3u);
     EXPECT_FALSE(table.number(0, "a"));
     EXPECT_EQ(table.number(2, "a"), 0.5);
+    for (const char *error : {"########", "#N/A N/A", "#N/D", "#WERT!", "#NAME?"})
+      EXPECT_EQ(table_of("a;b\n"s + error + ";3\n0.5;5\n").n_rows(), 2u) << error;
+    for (const char *comment : {"#", "########", "######;;", "# sorted; 3", "#0.4;2", "## Part 2; of May"})
+      EXPECT_EQ(table_of("########;May;2024\na;b\n"s + comment + "\n0.5;5\n").n_rows(), 1u) << comment;
+    expect_in(message_of<InputError>([] { table_of("a;b\n####;3\n").column("a"); }),
+              "t.csv:2: a = \"####\" is not a finite number; a spreadsheet writes # where a column is too narrow: make "
+              "it wider and save the table again.");
   }
 
   TEST(CsvTable, SaysWhatRowsOfAnotherLengthMayBe)
