@@ -182,7 +182,7 @@ namespace swimtwin
     for (const MarkEvidence &column : columns)
       all += column;
     for (const MarkEvidence &column : columns)
-      marks_.push_back(find_decimal_mark(column, all, separator == ','));
+      marks_.push_back(find_decimal_mark(column, all, separator));
   }
 
   CsvTable CsvTable::without(const std::vector<WrongRow> &rows) const

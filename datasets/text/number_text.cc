@@ -85,15 +85,16 @@ namespace swimtwin
     return *this;
   }
 
-  DecimalMark find_decimal_mark(const MarkEvidence &column, const MarkEvidence &table, const bool commas_separate)
+  DecimalMark find_decimal_mark(const MarkEvidence &column, const MarkEvidence &table, const char separator)
   {
     if (table.n_commas + table.n_comma_groups == 0)
-      return DecimalMark::point;
+      return separator == ';' && table.n_points == 0 && column.n_point_groups > 0 ? DecimalMark::uncertain
+                                                                                  : DecimalMark::point;
     const bool has_points = column.n_points + column.n_point_groups > 0;
     if (column.n_commas + column.n_comma_groups > 0)
     {
       const bool certain = column.n_commas > 0 || table.n_commas > 0;
-      const bool foreign = table.n_points > 0 && (commas_separate || column.n_commas == 0);
+      const bool foreign = table.n_points > 0 && (separator == ',' || column.n_commas == 0);
       return certain && !foreign && !has_points ? DecimalMark::comma : DecimalMark::uncertain;
     }
     return has_points && column.n_points == 0 && table.n_commas > 0 ? DecimalMark::uncertain : DecimalMark::point;
@@ -126,7 +127,8 @@ namespace swimtwin
     if (starts_like_a_number && n_points + n_commas > 1)
       return "write it without separators between thousands";
     if (is_group(',', cell) || is_group('.', cell))
-      return "its mark may stand between thousands or before decimals: write 1234 or 1.234 for a number like 1,234";
+      return "its mark may stand between thousands or before decimals: write 1234 or 1.2340 for a number like 1,234 or "
+             "1.234";
     if (is_number_with(',', cell) && mark != DecimalMark::comma)
       return "other cells have decimal points: write all numbers of the table with one decimal mark";
     if (starts_like_a_number && std::any_of(cell.begin(), cell.end(), [](const unsigned char c) {

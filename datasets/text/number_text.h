@@ -27,8 +27,8 @@ namespace swimtwin
   };
 
   /// The mark of a column. Where commas separate the columns, a quoted comma is decimal only if no number of the table
-  /// has a point.
-  DecimalMark find_decimal_mark(const MarkEvidence &column, const MarkEvidence &table, bool commas_separate);
+  /// has a point; where semicolons do, as where commas are decimal, points may stand between thousands.
+  DecimalMark find_decimal_mark(const MarkEvidence &column, const MarkEvidence &table, char separator);
 
   /// The finite number of a cell; none where there is none, or where it is not certain.
   std::optional<double> parse_number(std::string_view cell, DecimalMark mark);

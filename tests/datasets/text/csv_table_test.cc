@@ -69,10 +69,14 @@ namespace swimtwin
     const auto refusal_in = [](const std::string &text, const std::string &column) {
       return message_of<InputError>([&] { table_of(text).column(column); });
     };
-    const std::string either = "its mark may stand between thousands or before decimals: write 1234 or 1.234";
+    const std::string either = "its mark may stand between thousands or before decimals: write 1234 or 1.2340";
     expect_in(refusal_in("a;b\n1,234;2\n", "a"), either);
     expect_in(refusal_in("a,b\n\"1,234\",0.5\n", "a"), either);
     expect_in(refusal_in("a;b\n1.234;0,5\n", "a"), either);
+    expect_in(refusal_in("a;b\n1;151.000\n2;95.000\n", "b"), either);
+    EXPECT_EQ(table_of("a;b\n1;151.0000\n2;95.000\n").column("b"), (std::vector<double>{151., 95.}));
+    EXPECT_EQ(table_of("a;b\n0.5;151.000\n").column("b"), std::vector<double>{151.});
+    EXPECT_EQ(table_of("a\tb\n1\t151.000\n").column("b"), std::vector<double>{151.});
     expect_in(refusal_in("a;b\n1.234,5;2\n", "a"), "write it without separators between thousands");
     expect_in(refusal_in("a;b\n0,5;2\n0.5;2\n", "a"),
               "t.csv:2: a = \"0,5\" is not a finite number; other cells have decimal "
