@@ -59,6 +59,9 @@ namespace swimtwin
         add_tracks(trackmate_track(table, recording, *sidecar.camera, problems), sidecar, set, problems);
       else if (is_deeplabcut_table(table))
         add_tracks(deeplabcut_track(table, recording, *sidecar.camera, problems), sidecar, set, problems);
+      else if (const auto row = find_row_of_keys(table))
+        problems.error(fmt::format("{}: TrackMate's names of the columns stand on line {}; move that line to the top.",
+                                   table.where_header(), table.line(*row)));
       else
         add_tracks(head_tracks(table, &recording, recording.period_start_s, problems), sidecar, set, problems);
     }

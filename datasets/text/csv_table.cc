@@ -90,6 +90,7 @@ namespace swimtwin
                   begins_with_a_row_name(text.rows[i].text)};
           !are_empty(row.cells) && row.cells != table.header_)
         table.rows_.push_back(std::move(row));
+    table.refuse_title();
     table.name_row_numbers();
     table.place_.resize(table.header_.size());
     std::iota(table.place_.begin(), table.place_.end(), std::size_t(1));
@@ -125,6 +126,21 @@ namespace swimtwin
                                    where_header(), header_.size(), header_.size() + 1, rows_[0].cells.front(),
                                    rows_[1].cells.front(), header_.front()));
     header_.insert(header_.begin(), "");
+  }
+
+  /// A title has another length than the rows, of which the first names their columns.
+  void CsvTable::refuse_title() const
+  {
+    const auto is_number = [](const std::string &cell) { return parse_number(cell, DecimalMark::point).has_value(); };
+    if (rows_.size() < 2 || rows_.front().cells.size() < 2 ||
+        std::any_of(rows_.front().cells.begin(), rows_.front().cells.end(), is_number))
+      return;
+    const std::size_t n = rows_.front().cells.size();
+    if (n != header_.size() && (n > header_.size() || !are_empty(header_, n)) &&
+        std::all_of(rows_.begin(), rows_.end(), [n](const Row &row) { return row.cells.size() == n; }))
+      throw InputError(fmt::format("{}: this line has {} value(s) but every row below it {}, and line {} names the "
+                                   "columns: if it is a title, delete it or put # before it.",
+                                   where_header(), header_.size(), n, rows_.front().line));
   }
 
   /// Empty cells behind the last column go, nameless ones that are left out come back; other rows are left out.

@@ -64,6 +64,7 @@ namespace swimtwin
     };
 
     std::size_t require_column(const std::string &name) const;
+    void        refuse_title() const;
     bool        has_nameless_count() const;
     void        name_row_numbers();
     void        fit_lengths(char separator, std::vector<std::string> &left_out);

@@ -225,6 +225,14 @@ namespace swimtwin
                         table.where_header(), table.line(*row)));
         return false;
       }
+    if (std::all_of(names.begin(), names.end(),
+                    [](const std::string &name) { return name.empty() || unit_factor(name, name); }))
+    {
+      problems.error(fmt::format("{}: this row holds units, not names; write them into the names below it, as in {}, "
+                                 "and delete the row.",
+                                 table.where_header(), fmt::join(columns, ",")));
+      return false;
+    }
     return true;
   }
 

@@ -80,6 +80,15 @@ namespace swimtwin
            (columns.x && columns.y && columns.track && (columns.time || columns.frame));
   }
 
+  std::optional<std::size_t> find_row_of_keys(const CsvTable &table)
+  {
+    for (std::size_t row = 0; row < table.n_rows(); ++row)
+      for (const std::string &cell : table.cells(row))
+        if (cell == "POSITION_X" || cell == "TRACK_ID")
+          return row;
+    return std::nullopt;
+  }
+
   std::vector<HeadTrack> trackmate_track(const CsvTable &table, const Recording &recording, const Camera &camera,
                                          DataProblems &problems)
   {

@@ -3,10 +3,15 @@
 
 #include <datasets/tracks/head_track.h>
 
+#include <optional>
+
 namespace swimtwin
 {
   /// Whether a table has TrackMate's columns, or those of trackpy, Manual Tracking or MTrackJ.
   bool is_trackmate_table(const CsvTable &table);
+
+  /// The row that holds TrackMate's keys where other lines stand above them.
+  std::optional<std::size_t> find_row_of_keys(const CsvTable &table);
 
   /// The one track of a spots table that the recording asks for (`track_id`; not needed if there is one track only).
   ///

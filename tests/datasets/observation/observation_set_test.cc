@@ -146,6 +146,19 @@ namespace swimtwin
     expect_in(advice_for("frequency_Hz,displacement_m,run_h"), "give one standard deviation");
   }
 
+  TEST(ObservationLint, SaysInOneSentenceThatUnitsStandAboveTheNames)
+  {
+    const auto sentence = [](const std::string &header) {
+      const std::string message = message_for_curve(header + "\n0.4,1,0.1\n0.8,2,0.1\n", "Hz,mm,mm");
+      EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+      return message;
+    };
+    expect_in(sentence("frequency_Hz,displacement_mm,sigma_mm"),
+              "data.csv:1: this row names no column, but line 2 does");
+    expect_in(sentence("frequency,displacement,sigma"),
+              "data.csv:1: this row holds units, not names; write them into the names below it, as in frequency_Hz,");
+  }
+
   TEST(ObservationLint, SaysWhatARowOfUnitsContradicts)
   {
     const std::string rows = "0.4,0.017,3e-4\n0.8,0.018,4e-4\n";

@@ -164,7 +164,10 @@ namespace swimtwin
               "t.csv:2: this row has 4 values but the header names 2 columns (2 rows: lines 2, 3); give one value per "
               "column, or "
               "save the table with semicolons or tabs between the columns if these are decimal commas.");
-    expect_in(refusal_of_table("Run of May\na,b\n1,2\n"), "if the header is a title, delete it or put # before it");
+    expect_in(refusal_of_table("Run of May\n1,2\n"), "if the header is a title, delete it or put # before it");
+    for (const char *title : {"Run of May", "Run 3, May, 2024"})
+      expect_in(refusal_of_table(title + "\na,b\n1,2\n"s),
+                " but every row below it 2, and line 2 names the columns: if it is a title, delete it or put # before");
     expect_in(refusal_of_table("a,b\n1;2\n3;4\n"), "separate the rows like the header");
   }
 

@@ -125,6 +125,14 @@ namespace swimtwin
     expect_in(problem(import(keys + microns + spots("0") + pixels)), "the positions are in \"pixel\" here and in ");
   }
 
+  TEST(TrackmateTable, FindsItsKeysBelowOtherLines)
+  {
+    const TemporaryFolder folder;
+    const CsvTable        table = CsvTable::read(folder.write("spots.csv", microns + keys + spots("0")));
+    EXPECT_FALSE(is_trackmate_table(table));
+    EXPECT_EQ(table.line(find_row_of_keys(table).value()), 2u);
+  }
+
   TEST(TrackmateTable, DoesNotTakeSpotsWithoutAPositionForHeaderRows)
   {
     const std::string broken  = "ID9,9,0,7.5,gone,gone,0.0,gone,gone,2.5,1\n",
