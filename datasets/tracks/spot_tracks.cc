@@ -68,6 +68,13 @@ namespace swimtwin
       return {};
     }
 
+    bool stands_still(const CsvTable &table, const std::size_t clock, const Rows &rows)
+    {
+      return rows.size() > 2 && std::all_of(rows.begin(), rows.end(), [&](const std::size_t row) {
+               return table.number(row, clock) == table.number(rows.front(), clock);
+             });
+    }
+
     /// The spots of one piece in order of time.
     Rows in_time(const CsvTable &table, const std::size_t clock, Rows rows, DataProblems &problems)
     {
@@ -76,6 +83,14 @@ namespace swimtwin
         if (!table.number(row, clock))
           faults.add_no_number(row);
       std::erase_if(rows, [&](const std::size_t row) { return !table.number(row, clock); });
+      if (stands_still(table, clock, rows))
+      {
+        problems.error(fmt::format(
+            "{}: {} is {} in all {} spots, so it tells no time; give the time between two frames "
+            "in the sidecar, [camera] frame_s, which counts FRAME.",
+            table.where(rows.front()), table.column_names()[clock], table.cells(rows.front())[clock], rows.size()));
+        return rows;
+      }
       const auto time = [&](const std::size_t row) { return *table.number(row, clock); };
       std::stable_sort(rows.begin(), rows.end(), [&](const auto a, const auto b) { return time(a) < time(b); });
       for (std::size_t i = 1; i < rows.size(); ++i)
@@ -174,6 +189,8 @@ namespace swimtwin
     DataProblems       own;
     const Tracks       tracks = tracks_of(table, columns, own);
     std::vector<Piece> pieces;
+    if (tracks.empty() && own.has_errors())
+      return problems.append(own), Rows();
     for (const int id : choose_tracks(table, tracks, recording, own))
       if (tracks.contains(id))
         pieces.push_back({id, in_time(table, clock.column, tracks.at(id), own)});

@@ -133,6 +133,28 @@ namespace swimtwin
     EXPECT_EQ(table.line(find_row_of_keys(table).value()), 2u);
   }
 
+  TEST(TrackmateTable, AsksForTheFrameIntervalWhereTimeStandsStill)
+  {
+    std::string still;
+    for (int frame = 0; frame < 5; ++frame)
+      still += spot(frame, "0", 100. - frame, 0.);
+    const Import result = import(keys + microns + still);
+    ASSERT_EQ(result.problems.all().size(), 1u);
+    expect_in(problem(result),
+              "spots.csv:3: POSITION_T is 0 in all 5 spots, so it tells no time; give the time between "
+              "two frames in the sidecar, [camera] frame_s");
+    Camera camera;
+    camera.frame_s = 0.04;
+    EXPECT_EQ(import(keys + microns + still, camera).tracks.size(), 1u);
+  }
+
+  TEST(TrackmateTable, SaysOnceThatTracksHaveNoNumbers)
+  {
+    const Import result = import(keys + microns + spots("Track_0"));
+    ASSERT_EQ(result.problems.all().size(), 1u);
+    expect_in(problem(result), "TRACK_ID (column 3) = \"Track_0\" is no number of a track");
+  }
+
   TEST(TrackmateTable, DoesNotTakeSpotsWithoutAPositionForHeaderRows)
   {
     const std::string broken  = "ID9,9,0,7.5,gone,gone,0.0,gone,gone,2.5,1\n",
