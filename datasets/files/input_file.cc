@@ -184,14 +184,22 @@ namespace swimtwin
       return "it is a ZIP archive, as workbooks (.xlsx, .ods) are; unpack it, or save the sheet as CSV";
     if (content.starts_with("\xD0\xCF\x11\xE0"))
       return "it is a workbook of Excel (.xls); save the sheet as CSV";
-    if (content.starts_with("\x1F\x8B") || content.starts_with("BZh") || content.starts_with("\xFD\x37zXZ"))
+    if (content.starts_with("\x1F\x8B") || content.starts_with("BZh") || content.starts_with("\xFD\x37zXZ") ||
+        content.starts_with("\x28\xB5\x2F\xFD") || content.starts_with("7z\xBC\xAF\x27\x1C"))
       return "it is compressed; unpack it first";
     const std::string words = first_words(content);
     if (words.starts_with("version https://git-lfs.github.com/spec/"))
       return "it is a pointer of Git LFS, not the data; fetch them with `git lfs pull`";
     if (words.find("/annex/objects/") < words.find('\n') && words.size() < 1024)
       return "it is a pointer of git-annex, not the data; fetch them with `git annex get`";
-    for (const auto start : {"<!doctype html"sv, "<html"sv, "<head"sv, "<body"sv, "<script"sv})
+    if (words.starts_with("outs:") && words.find("md5:") != std::string::npos)
+      return "it is a pointer of DVC, not the data; fetch them with `dvc pull`, and name the file without .dvc";
+    if (words.starts_with("<table") ||
+        (words.starts_with("<html") && words.find("schemas-microsoft-com:office") != std::string::npos))
+      return "it is a table as a web page (HTML), as some programs write .xls; open it in a spreadsheet and save the "
+             "sheet as CSV";
+    for (const auto start : {"<!doctype html"sv, "<html"sv, "<head"sv, "<body"sv, "<script"sv, "<div"sv, "<meta"sv,
+                             "<style"sv, "<title>"sv})
       if (words.starts_with(start))
         return "it is a web page (HTML), not the data; download the file itself, not the page that shows it";
     if (words.starts_with("<?xml") || words.starts_with("<!doctype") || words.starts_with("<!--"))

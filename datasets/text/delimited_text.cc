@@ -1,6 +1,7 @@
 #include <datasets/system/error.h>
 #include <datasets/text/delimited_text.h>
 
+#include <boost/algorithm/string/predicate.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -115,7 +116,7 @@ namespace swimtwin
       std::string_view first = rows.front().text;
       while (!first.empty() && first.front() == '"')
         first.remove_prefix(1);
-      if (!first.starts_with("sep=") && !first.starts_with("SEP="))
+      if (!boost::algorithm::istarts_with(first, "sep="))
         return '\0';
       const char separator = first.size() > 4 ? first[4] : '\0';
       if (separators.find(separator) == std::string_view::npos)

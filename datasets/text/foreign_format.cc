@@ -39,6 +39,8 @@ namespace swimtwin
         {"PAR1"sv, "a Parquet table", from_python},
         {"SQLite format 3"sv, "a database of SQLite", "export the table as CSV"},
         {"MATLAB 5.0 MAT-file"sv, "a MAT-file of MATLAB", "write the table there with writetable(T, \"FILE.csv\")"},
+        {"MATLAB 7.3 MAT-file"sv, "a MAT-file of MATLAB", "write the table there with writetable(T, \"FILE.csv\")"},
+        {"bplist00"sv, "a property list of Apple, such as a sheet of Numbers", from_spreadsheet},
         {"\x89PNG"sv, "a picture (PNG)", measured_first},
         {"\xFF\xD8\xFF"sv, "a picture (JPEG)", measured_first},
         {"II*\0"sv, "a picture or film (TIFF)", measured_first},
