@@ -113,6 +113,36 @@ namespace swimtwin
       return lines;
     }
 
+    /// Of the character in UTF-8 that a text begins with, in bytes; 0 if it is none.
+    std::size_t length_of_character(const std::string_view text)
+    {
+      const auto        first = static_cast<unsigned char>(text.front());
+      const std::size_t n     = first < 0x80 ? 1 : first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+      return n == 1 || converted(text.substr(0, n), "UTF-8") ? n : 0;
+    }
+
+    /// What one byte is in Windows-1252, or where that has nothing in Latin-1.
+    std::string character_of(const std::string_view byte)
+    {
+      const auto text = converted(byte, "WINDOWS-1252");
+      return text ? *text : converted(byte, "ISO-8859-1").value_or("?");
+    }
+
+    /// Bytes that are no UTF-8 are Windows-1252: all of them, or those that another program put into a text in UTF-8.
+    std::string without_foreign_bytes(const std::string_view bytes)
+    {
+      std::string text;
+      for (std::size_t i = 0; i < bytes.size();)
+        if (const std::size_t n = length_of_character(bytes.substr(i)); n > 0)
+        {
+          text += bytes.substr(i, n);
+          i += n;
+        }
+        else
+          text += character_of(bytes.substr(i++, 1));
+      return text;
+    }
+
     std::string as_utf8(std::string_view bytes, const std::filesystem::path &file)
     {
       const auto found =
@@ -130,10 +160,8 @@ namespace swimtwin
       }
       if (is_ascii(bytes))
         return std::string(bytes);
-      for (const char *candidate : {"UTF-8", "WINDOWS-1252", "ISO-8859-1"})
-        if (const auto text = converted(bytes, candidate))
-          return *text;
-      throw InputError(fmt::format("{}: this text is not UTF-8; save it as UTF-8.", file.string()));
+      const auto text = converted(bytes, "UTF-8");
+      return text ? *text : without_foreign_bytes(bytes);
     }
   } // namespace
 

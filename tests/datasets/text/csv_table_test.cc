@@ -42,7 +42,7 @@ namespace swimtwin
   {
     for (const std::string separator : {",", ";", "\t", "|", " ", " ; ", "   "})
       expect_the_table(table_of("a" + separator + "b\n0.5" + separator + "-1e-4\n2" + separator + "3.25\n"));
-    for (const std::string stated : {"sep=;\n", "\"sep=;\"\n", "sep=;\r\n"})
+    for (const std::string stated : {"sep=;\n", "Sep=;\n", "\"sep=;\"\n", "sep=;\r\n"})
       expect_the_table(table_of(stated + "a;b\n0.5;-1e-4\n2;3.25\n"));
     expect_in(refusal_of_table("sep=x\naxb\n"), "t.csv:1: \"sep=x\" names no separator that is known");
   }
@@ -96,6 +96,8 @@ namespace swimtwin
       expect_the_table(table_of(bytes));
     EXPECT_TRUE(table_of("x (\xB5m),b\n1,2\n").has_column("x (\u00B5m)")); // Windows-1252, Latin-1
     EXPECT_TRUE(table_of("x (\u00B5m),b\n1,2\n").has_column("x (\u00B5m)"));
+    const CsvTable mixed = table_of("x (\u00B5m),Gr\xF6\u00DFe\n1,2\n");
+    EXPECT_TRUE(mixed.has_column("x (\u00B5m)") && mixed.has_column("Gr\u00F6\u00DFe"));
     expect_in(refusal_of_table("\xFF\xFE" + wide(text, true) + "x"),
               "t.csv: this is text in UTF-16LE that is cut or damaged");
     expect_in(refusal_of_table("a,b\n1,2\n\0\0\0"s), "t.csv:3: there are NUL bytes");
@@ -182,6 +184,14 @@ namespace swimtwin
     expect_in(refusal_of_table("<?xml version=\"1.0\"?>\n<Error>"), "an XML document");
     expect_in(refusal_of_table("<root>"), "it is XML; export the table as CSV");
     expect_in(refusal_of_table("<!DOCTYPE html>"), "a web page");
+    expect_in(refusal_of_table("<div><p>"), "a web page");
+    expect_in(refusal_of_table("<TABLE border=1><tr><td>a"), "open it in a spreadsheet and save the sheet as CSV");
+    expect_in(refusal_of_table("<html xmlns:x=\"urn:schemas-microsoft-com:office:excel\">"),
+              "open it in a spreadsheet");
+    expect_in(refusal_of_table("MATLAB 7.3 MAT-file, Platform"), "a MAT-file of MATLAB; write the table there");
+    expect_in(refusal_of_table("bplist00\xD1"), "a property list of Apple");
+    expect_in(refusal_of_table("outs:\n- md5: 12ab\n  path: t.csv\n"), "a pointer of DVC");
+    expect_in(refusal_of_table("\x28\xB5\x2F\xFD$"), "unpack it first");
     expect_in(refusal_of_table("{\"a\": 1}"), "JSON");
     expect_in(refusal_of_table("version https://git-lfs.github.com/spec/v1\n"), "git lfs pull");
     expect_in(refusal_of_table("\x1F\x8B"), "unpack it first");
