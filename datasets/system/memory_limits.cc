@@ -7,8 +7,10 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <fstream>
 #include <limits>
+#include <new>
 #include <sstream>
 
 namespace swimtwin
@@ -156,5 +158,27 @@ namespace swimtwin
         throw ComputationError(fmt::format("too little memory: {} needs about {:.0f} MB more, and {} leaves {:.0f} MB; "
                                            "{} or allow more memory",
                                            what, needed, limit.name, std::max(0., limit.left_MB), remedy));
+  }
+
+  int n_threads_in_memory(const int n, const std::vector<MemoryLimit> &limits)
+  {
+    constexpr double of_one_MB = 16., of_another_MB = 150.; // glibc reserves 128 MB for a thread's heap, for a while
+    int              fitting = n;
+    for (const MemoryLimit &limit : limits)
+    {
+      if (limit.of != MemoryLimit::Of::address_space)
+        continue;
+      if (limit.left_MB < of_one_MB)
+        throw std::bad_alloc();
+      fitting = std::min(fitting, 1 + static_cast<int>((limit.left_MB - of_one_MB) / of_another_MB));
+    }
+    return fitting;
+  }
+
+  int n_threads_in_memory(const int n)
+  {
+    std::vector<MemoryLimit> limits;
+    add_process_limits("/", limits);
+    return n_threads_in_memory(n, limits);
   }
 } // namespace swimtwin

@@ -29,4 +29,9 @@ namespace swimtwin
   /// Throws ComputationError that says what is needed, what is left, and what to change: `remedy`, or the limit.
   void require_memory(const std::string &what, const MemoryNeed &need, const std::string &remedy,
                       const std::vector<MemoryLimit> &limits = memory_limits());
+
+  /// How many of n threads a limit of the address space has room for: each takes a stack and a heap of its own. Throws
+  /// std::bad_alloc where there is hardly room for one, of which libraries do not all take notice.
+  int n_threads_in_memory(int n, const std::vector<MemoryLimit> &limits);
+  int n_threads_in_memory(int n); ///< with the limits of this process
 } // namespace swimtwin

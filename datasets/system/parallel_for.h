@@ -1,6 +1,8 @@
 // Independent pieces of work shared out over threads.
 #pragma once
 
+#include <datasets/system/memory_limits.h>
+
 #include <algorithm>
 #include <atomic>
 #include <exception>
@@ -19,11 +21,12 @@ namespace swimtwin
   }
 
   /// Calls make_worker() once per thread, by that thread, and then its result on every i below n, each i once. The
-  /// first exception ends them all and comes back.
+  /// first exception ends them all and comes back. Under a limit of memory with as many threads as there is room for.
   template <typename MakeWorker>
   void parallel_for(const std::size_t n, const int n_threads, const MakeWorker &make_worker)
   {
-    std::atomic<std::size_t> next = 0;
+    const int                n_fitting = n_threads_in_memory(n_threads);
+    std::atomic<std::size_t> next      = 0;
     std::exception_ptr       error;
     std::mutex               first;
     const auto               take_turns = [&] {
@@ -43,7 +46,7 @@ namespace swimtwin
     };
     {
       std::vector<std::jthread> others;
-      for (int t = 1; t < n_threads; ++t)
+      for (int t = 1; t < n_fitting; ++t)
         others.emplace_back(take_turns);
       take_turns();
     }

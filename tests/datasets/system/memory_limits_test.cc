@@ -91,4 +91,16 @@ namespace swimtwin
     expect_in(refusal({9., 21., 0.}), "it needs about 21 MB more, and ulimit -d leaves 20 MB");
     EXPECT_NO_THROW(require_memory("it", {9., 19., 1e6}, "wait", limits));
   }
+
+  TEST(MemoryLimits, BoundTheNumberOfThreads)
+  {
+    const auto fitting = [](const int n, const double left_MB) {
+      return n_threads_in_memory(n, {{MemoryLimit::Of::address_space, "ulimit -v", left_MB}});
+    };
+    EXPECT_EQ(n_threads_in_memory(64, {}), 64);
+    EXPECT_EQ(fitting(64, 1e6), 64);
+    EXPECT_EQ(fitting(64, 700.), 5);
+    EXPECT_EQ(fitting(64, 20.), 1);
+    EXPECT_THROW(fitting(1, 10.), std::bad_alloc);
+  }
 } // namespace swimtwin
