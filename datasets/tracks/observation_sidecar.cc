@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -114,6 +115,20 @@ namespace swimtwin
         problems.attempt([&] { sidecar.field = FieldProgram::read_csv(file, period_s); });
     }
 
+    /// Around micro-robots coils make millitesla.
+    void warn_of_strong_field(const TomlDocument &document, const FieldProgram &field, DataProblems &problems)
+    {
+      constexpr double strong_T = 1.;
+      const bool       sampled  = field.waveform() == FieldProgram::Waveform::sampled;
+      double           most_T   = sampled ? 0. : std::hypot(field.bx_T(), field.by_T());
+      for (const auto &b : field.b_T())
+        most_T = std::max(most_T, std::hypot(b[0], b[1], b[2]));
+      if (most_T > strong_T)
+        problems.warning(fmt::format("{}: {} reaches {:.4g} T; it looks like mT in {} of T: check the unit.",
+                                     document.where("field"), sampled ? field.file.string() : "the field", most_T,
+                                     sampled ? "columns" : "entries"));
+    }
+
     void read_field(const TomlDocument &document, ObservationSidecar &sidecar, DataProblems &problems)
     {
       TomlTable table(document, "field");
@@ -136,6 +151,7 @@ namespace swimtwin
           problems.error(document.sentence("field", "by_T", "is 0, and so is bx_T; without a field nothing swims."));
       }
       note_all(table, problems);
+      warn_of_strong_field(document, sidecar.field, problems);
     }
 
     /// A unit of what `si` measures, or a pixel where that is one.

@@ -309,6 +309,20 @@ namespace swimtwin
               "dimension = 2 can be said of computed data only");
   }
 
+  TEST(ObservationSidecar, WarnsOfAFieldThatLooksLikeMillitesla)
+  {
+    const auto warning = [](const std::string &field) {
+      ObservationFiles files(example_curve, example_sidecar.substr(0, example_sidecar.find("bx_T")) + field);
+      files.folder.write("field.csv", "time_s,bx_T,by_T\n0,5,0\n0.5,5,4\n1.0,5,0\n1.5,5,-4\n");
+      return files.warning();
+    };
+    expect_in(warning("bx_T = 5\nby_T = 4\n"),
+              "data.toml:7: the field reaches 6.403 T; it looks like mT in entries of T: check the unit.");
+    expect_in(warning("program = \"field.csv\"\nperiod_s = 2\n"),
+              "field.csv reaches 6.403 T; it looks like mT in columns of T: check the unit.");
+    EXPECT_EQ(warning("bx_T = 0.5\nby_T = 0.4\n"), "");
+  }
+
   TEST(ObservationSidecar, AsksForTheTemperatureOfMeasuredFluid)
   {
     const std::string measured = replaced(example_sidecar, "synthetic = true", "synthetic = false");
