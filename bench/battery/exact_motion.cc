@@ -81,7 +81,7 @@ namespace swimtwin
   double ExactMotion<dim>::displacement_m(const RunParameters &p, const ResistanceSource source, const int n_periods,
                                           const int n)
   {
-    constexpr double tolerance = 2e-5;
+    constexpr double tolerance = 1e-6; // a period's displacement may be half a hundredth of the length
     const double     length = reduced_.length_m(), step_s = 1. / (p.frequency_Hz * n);
     const auto       size = [&](Eigen::VectorXd change) {
       change.head<2>() /= length;
@@ -97,7 +97,7 @@ namespace swimtwin
       const Eigen::VectorXd star  = first ? now : Eigen::VectorXd((4. * now - before) / 3.);
       Eigen::VectorXd       next  = star + c * (2. * rate - rate_before);
       bool                  done  = false;
-      for (int iteration = 0; iteration < 12 && !done; ++iteration)
+      for (int iteration = 0; iteration < 25 && !done; ++iteration)
       {
         Eigen::MatrixXd R;
         try

@@ -127,8 +127,8 @@ namespace swimtwin
         };
         shares.surrogate = displacement(Source::surrogate);
         shares.modes     = displacement(Source::full_order_in_place);
-        if (model_.resistance.depends_on_height || scene_.domain->moves_with_swimmer)
-          shares.height = shares.usual = shares.modes; // the model follows
+        if (dim == 3 || model_.resistance.depends_on_height || scene_.domain->moves_with_swimmer)
+          shares.height = shares.usual = shares.modes; // the model follows; in space too dear, and little (its card)
         else
         {
           shares.height = displacement(Source::full_order_at_usual_height);

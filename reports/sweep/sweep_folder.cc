@@ -66,7 +66,8 @@ namespace swimtwin
         const Json model = json.value("model", Json());
         read_entry(model, "file", origin.model_file);
         read_entry(model, "n_modes", origin.n_modes);
-        read_entry(json, "warnings", origin.warnings);
+        if (json.contains("warnings")) // earlier versions did not write them down
+          read_entry(json, "warnings", origin.warnings);
       }
       catch (const InputError &problem)
       {
