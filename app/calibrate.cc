@@ -65,12 +65,10 @@ namespace swimtwin
     }
 
     /// Throws InputError where estimates would make up for much, and nobody said that they may.
-    void require_inertia_of_data(const CalibrateCommand &command, const CalibrationInput &input,
-                                 const InertiaTerms &carried)
+    void require_inertia_of_data(const Scene &scene, const CalibrationInput &input, const InertiaTerms &carried)
     {
-      const Scene        scene = scene_with_inertia(input.model, "");
       const InertiaDoubt doubt = doubt_inertia(scene, carried, extreme_of(scene, input.sets));
-      if (command.inertia.empty() && doubt.missed > largest_inertial_error && have_inertia(input.sets))
+      if (doubt.missed > largest_inertial_error)
         throw InputError(
             fmt::format("{}, which the data have and the estimates would make up for; {}say --inertia none "
                         "to fit all the same.",
@@ -85,7 +83,8 @@ namespace swimtwin
       require_inertia(input.model, command.model, inertia);
       const Scene        scene   = scene_with_inertia(input.model, inertia);
       const InertiaTerms carried = carried_inertia(scene, input.model, extreme_of(scene, input.sets));
-      require_inertia_of_data(command, input, carried);
+      if (command.inertia.empty() && have_inertia(input.sets))
+        require_inertia_of_data(scene, input, carried);
       return carried;
     }
 

@@ -60,10 +60,7 @@ namespace swimtwin
       return text +
              fmt::format("    field          {}\n    origin         {}\n", field_text(set.field), origin_text(set));
     }
-  } // namespace
 
-  namespace
-  {
     void require_dimension(const CalibrationInput &input)
     {
       const int dimension = input.model.tail.dimension();

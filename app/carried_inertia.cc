@@ -13,7 +13,8 @@ namespace swimtwin
   {
     /// Largest unsteady group that is computed without being asked for, and share that is not warned of.
     constexpr double largest_unsteady_group = 2., noticed_share = 0.01;
-    std::string      place_of(const Scene &scene, const InertialExtreme &extreme)
+
+    std::string place_of(const Scene &scene, const InertialExtreme &extreme)
     {
       return fmt::format("at {:.4g} Hz, {:.4g} Pa s and {:.4g} Pa the unsteady group 2 pi rho f L^2 / mu is {:.3g}",
                          extreme.frequency_Hz, extreme.viscosity_Pa_s, extreme.young_modulus_Pa, extreme.group(scene));

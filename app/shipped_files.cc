@@ -1,5 +1,6 @@
 #include <app/shipped_files.h>
 
+#include <datasets/reduced/training_folder.h>
 #include <datasets/system/error.h>
 #include <datasets/system/nearest_name.h>
 
@@ -63,15 +64,6 @@ namespace swimtwin
         throw InputError(fmt::format("cannot read {}: there is no such file{}.", name, near));
       return name;
     }
-
-    constexpr const char *trained_model_name = "model.h5";
-
-    bool holds_training(const fs::path &folder)
-    {
-      std::error_code ignored;
-      return fs::is_directory(folder / "runs/run-01", ignored) ||
-             fs::is_regular_file(folder / trained_model_name, ignored);
-    }
   } // namespace
 
   fs::path shipped_file(const std::string &place)
@@ -86,12 +78,11 @@ namespace swimtwin
 
   fs::path find_model(const std::string &model)
   {
-    std::error_code ignored;
-    fs::path        file = file_or_shipped(model, "models", ".h5");
+    fs::path file = file_or_shipped(model, "models", ".h5");
     if (holds_training(file))
       file /= trained_model_name;
     if (const fs::path folder = file.parent_path();
-        !fs::exists(file, ignored) && file.filename() == trained_model_name && holds_training(folder))
+        !is_there(file) && file.filename() == trained_model_name && holds_training(folder))
       throw InputError(fmt::format("{} is not there: the training in {} has not ended; let it end, or go on with "
                                    "`swimtwin train SCENE --output {} --resume`.",
                                    file.string(), folder.string(), folder.string()));

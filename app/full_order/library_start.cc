@@ -79,8 +79,8 @@ namespace swimtwin
         end_with_sentence();
       constexpr char sentence[] =
           "swimtwin: a library of the full-order model gave up, for lack of memory or over a shape that it cannot "
-          "mesh; "
-          "use a coarser mesh or allow more memory, or blunt what is thinner than [numerics] mesh_size_corner_m\n";
+          "mesh; use a coarser mesh or allow more memory, or blunt what is thinner than [numerics] "
+          "mesh_size_corner_m\n";
       [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, sentence, sizeof sentence - 1);
       end_process(1);
     }

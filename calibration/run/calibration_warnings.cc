@@ -117,10 +117,7 @@ namespace swimtwin
                                        result.chi_squared, result.n_degrees_of_freedom, name_of(worst, sets, result),
                                        size));
     }
-  } // namespace
 
-  namespace
-  {
     void warn_of_length(const CalibrationModel &model, const ObservationSet &set, Warnings &warnings)
     {
       constexpr double as_measured = 0.05; // on a picture

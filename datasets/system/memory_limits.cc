@@ -177,6 +177,8 @@ namespace swimtwin
 
   int n_threads_in_memory(const int n)
   {
+    if (rlimit limit{}; ::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur == RLIM_INFINITY)
+      return n;
     std::vector<MemoryLimit> limits;
     add_process_limits("/", limits);
     return n_threads_in_memory(n, limits);

@@ -98,8 +98,7 @@ namespace swimtwin
         return fmt::format("where the sign for micro was damaged on the way; write ({}), or save the table as UTF-8",
                            *repaired);
       return "which is not a known unit of length; set the unit of the images in Fiji (Image > Properties), or write "
-             "the "
-             "one that it is, such as (um), or (pixel) if the numbers are pixels, and then [camera] pixel_m";
+             "the one that it is, such as (um), or (pixel) if the numbers are pixels, and then [camera] pixel_m";
     }
 
     std::string x_name(const CsvTable &table, const SpotColumns &columns)

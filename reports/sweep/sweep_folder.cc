@@ -1,6 +1,7 @@
 #include <reports/sweep/sweep_folder.h>
 
 #include <datasets/files/json_entries.h>
+#include <datasets/reduced/training_folder.h>
 #include <datasets/system/error.h>
 #include <reports/sweep/sweep_files.h>
 
@@ -35,12 +36,11 @@ namespace swimtwin
         throw InputError(fmt::format("{} holds checkpoint.h5 of an interrupted run and no summary.json; finish it with "
                                      "`swimtwin simulate SCENE --output {} --resume`.",
                                      folder.string(), folder.string()));
-      if (fs::exists(folder / "runs/run-01") || fs::exists(folder / "model.h5"))
-        throw InputError(
-            fmt::format("{} is of a training, which has no page: {}.", folder.string(),
-                        fs::exists(folder / "model.h5")
-                            ? "what its model is worth stands in model-card.txt"
-                            : "it has not ended; go on with `swimtwin train SCENE --output ... --resume`"));
+      if (holds_training(folder))
+        throw InputError(fmt::format(
+            "{} is of a training, which has no page: {}.", folder.string(),
+            has_trained_model(folder) ? "what its model is worth stands in model-card.txt"
+                                      : "it has not ended; go on with `swimtwin train SCENE --output ... --resume`"));
       throw InputError(fmt::format("{} holds no results: neither summary.json of a run, nor displacement_frequency.csv "
                                    "of a sweep, nor folders of runs; give the --output of an earlier command.",
                                    folder.string()));

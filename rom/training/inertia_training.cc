@@ -276,19 +276,7 @@ namespace swimtwin
     {
       return inertia_shares(scene, range.frequency_Hz.high, range.viscosity_Pa_s.low, range.young_modulus_Pa.high);
     }
-  } // namespace
 
-  void add_inertia(ReducedModel &model, const Scene &scene, const MPI_Comm communicator,
-                   const std::function<void(int, int)> &on_progress)
-  {
-    const int share     = domain_is_mirrored(scene) ? 4 : 2; // twice as many coefficients of each without a mirror
-    const int n_samples = std::clamp(model.record.n_resistance_samples / share, 40, 400);
-    if (inertia_terms(scene, largest_shares(scene, model.range)).any())
-      model.inertia = train_inertia(model, scene, n_samples, communicator, on_progress).inertia;
-  }
-
-  namespace
-  {
     /// Up to which frequency displacements with inertia are given, with the stiffest tail in the thinnest fluid.
     double highest_frequency_with_inertia_Hz(const Scene &scene, const TrainedRange &range)
     {
@@ -305,23 +293,30 @@ namespace swimtwin
     }
   } // namespace
 
+  void add_inertia(ReducedModel &model, const Scene &scene, const MPI_Comm communicator,
+                   const std::function<void(int, int)> &on_progress)
+  {
+    const int share     = domain_is_mirrored(scene) ? 4 : 2; // twice as many coefficients of each without a mirror
+    const int n_samples = std::clamp(model.record.n_resistance_samples / share, 40, 400);
+    if (inertia_terms(scene, largest_shares(scene, model.range)).any())
+      model.inertia = train_inertia(model, scene, n_samples, communicator, on_progress).inertia;
+  }
+
   std::string neglected_inertia(const ReducedModel &model, const Scene &scene)
   {
     const TrainedRange &range = model.range;
     const double        group = unsteady_group(scene, range.frequency_Hz.high, range.viscosity_Pa_s.low);
-    const double        known = highest_frequency_with_inertia_Hz(scene, range);
-    const std::string   limit = known < range.frequency_Hz.high
-                                    ? fmt::format("; with the stiffest tail the rest is known to {:g} % up to {:.2g} Hz",
-                                                  100. * largest_inertial_error, known)
-                                    : "";
-    return model.inertia.is_given()
-               ? fmt::format(
-                     "Of the fluid's inertia what is not of first order in its density: the unsteady group 2 pi "
-                     "rho f L^2 / mu is up to {:.2g}{}.",
-                     group, limit)
-               : fmt::format(
-                     "Inertia of fluid and solid: the unsteady group 2 pi rho f L^2 / mu is up to {:.2g}; with the "
-                     "stiffest tail {} is missing there.",
-                     group, share_of_displacement(largest_shares(scene, range).together()));
+    if (!model.inertia.is_given())
+      return fmt::format("Inertia of fluid and solid: the unsteady group 2 pi rho f L^2 / mu is up to {:.2g}; with the "
+                         "stiffest tail {} is missing there.",
+                         group, share_of_displacement(largest_shares(scene, range).together()));
+    const double      known = highest_frequency_with_inertia_Hz(scene, range);
+    const std::string limit = known < range.frequency_Hz.high
+                                  ? fmt::format("; with the stiffest tail the rest is known to {:g} % up to {:.2g} Hz",
+                                                100. * largest_inertial_error, known)
+                                  : "";
+    return fmt::format("Of the fluid's inertia what is not of first order in its density: the unsteady group 2 pi "
+                       "rho f L^2 / mu is up to {:.2g}{}.",
+                       group, limit);
   }
 } // namespace swimtwin
