@@ -77,6 +77,17 @@ namespace swimtwin
     return rank;
   }
 
+  std::string unknown_launcher()
+  {
+    const auto has_several = [](const char *variable) {
+      const char *n_tasks = std::getenv(variable);
+      return n_tasks != nullptr && std::string_view(n_tasks) != "1";
+    };
+    if (is_launched())
+      return {};
+    return has_several("SLURM_STEP_NUM_TASKS") ? "srun" : has_several("FLUX_JOB_SIZE") ? "flux run" : "";
+  }
+
   void quiet_library_environment()
   {
     drop_variables(std::array<std::string_view, 13>{"PETSC_", "SLEPC_", "DEAL_II_", "OMP_", "GOMP_", "KMP_",
@@ -90,7 +101,8 @@ namespace swimtwin
   {
     if (ranks == RanksAtWork::all && is_launched())
       return;
-    drop_variables(std::array<std::string_view, 6>{"OMPI_", "PMIX_", "PMI_", "ORTE_", "OPAL_", "PRTE_"});
+    drop_variables(std::array<std::string_view, 10>{"OMPI_", "PMIX_", "PMI_", "ORTE_", "OPAL_", "PRTE_", "SLURM_",
+                                                    "FLUX_", "ALPS_", "UCX_"});
     ::setenv("OMPI_MCA_ess", "singleton", 1);
     ::setenv("OMPI_MCA_ess_singleton_isolated", "1", 1);
     ::setenv("OMPI_MCA_orte_create_session_dirs", "0", 1);

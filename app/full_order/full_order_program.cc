@@ -7,6 +7,7 @@
 
 #include <cerrno>
 #include <filesystem>
+#include <string>
 #include <system_error>
 #include <unistd.h>
 
@@ -42,6 +43,10 @@ namespace swimtwin
     constexpr MemoryNeed libraries{640., 165., 150.};
     require_memory("starting the libraries of the full-order model", libraries, "close other programs");
     const fs::path program = program_beside_this_one();
+    if (const std::string launcher = unknown_launcher(); ranks == RanksAtWork::all && !launcher.empty())
+      throw InputError(fmt::format("{} started several tasks, which MPI cannot bring together here; start the tool by "
+                                   "mpirun -n N, or as one task.",
+                                   launcher));
     settle_mpi_environment(ranks);
     ::execv(program.c_str(), command_line);
     const int reason = errno;

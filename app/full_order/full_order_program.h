@@ -9,6 +9,7 @@ namespace swimtwin
   void keep_command_line(char **argv);
 
   /// Replace this process: same number, same streams, same words. Throws ComputationError if the program is not there,
-  /// or if the memory that this process may have is less than its libraries take.
+  /// or if the memory that this process may have is less than its libraries take, InputError if a launcher that MPI
+  /// does not know started several ranks.
   [[noreturn]] void continue_in_full_order_program(RanksAtWork ranks);
 } // namespace swimtwin

@@ -68,4 +68,16 @@ namespace swimtwin
     EXPECT_EQ(launched_rank(), 0);
     EXPECT_EQ(value_of("OMPI_MCA_btl") + value_of("OMPI_MCA_ess_singleton_isolated"), "self1");
   }
+
+  TEST(LibraryEnvironment, AnAllocationOfTheClusterIsNoLauncher)
+  {
+    for (const char *name : {"SLURM_NODELIST", "SLURM_STEP_ID", "SLURM_STEP_NUM_TASKS", "FLUX_JOB_ID", "ALPS_APP_ID"})
+      setenv(name, "1", 1);
+    EXPECT_EQ(unknown_launcher(), "");
+    setenv("SLURM_STEP_NUM_TASKS", "4", 1);
+    EXPECT_EQ(unknown_launcher(), "srun");
+    settle_mpi_environment(RanksAtWork::all);
+    for (const char *name : {"SLURM_NODELIST", "SLURM_STEP_ID", "SLURM_STEP_NUM_TASKS", "FLUX_JOB_ID", "ALPS_APP_ID"})
+      EXPECT_EQ(std::getenv(name), nullptr) << name;
+  }
 } // namespace swimtwin
