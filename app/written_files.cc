@@ -14,10 +14,12 @@ namespace swimtwin
 {
   namespace
   {
+    constexpr const char *style_name = "pictures/style.gp";
+
     /// The files of a page with these pictures.
     FilePatterns page_with(const std::vector<std::string> &pictures)
     {
-      FilePatterns patterns{page_name, "pictures/style.gp"};
+      FilePatterns patterns{page_name, style_name};
       for (const std::string &picture : pictures)
         for (const char *ending : {".png", ".gp", ".dat"})
           patterns.push_back("pictures/" + picture + ending);
@@ -74,6 +76,13 @@ namespace swimtwin
       return joined({{sweep_table_name, sweep_data_name, sweep_summary_name}, page_with({"displacement_frequency"})});
     }
 
+    /// Pictures of other verbs in the folder are drawn with the same style.
+    WrittenFiles with_pictures(const std::string &verb, const FilePatterns &patterns,
+                               const std::string &only_when_interrupted = "")
+    {
+      return {verb, patterns, only_when_interrupted, "", style_name, {"pictures/*.gp"}};
+    }
+
     FilePatterns demo_files()
     {
       return joined({motion_files(), page_with({"displacement_frequency"}), below("fit", fit_files()),
@@ -85,13 +94,13 @@ namespace swimtwin
   {
     const WrittenFiles &simulate()
     {
-      static const WrittenFiles files{"simulate", motion_files(), "checkpoint.h5", ""};
+      static const WrittenFiles files = with_pictures("simulate", motion_files(), "checkpoint.h5");
       return files;
     }
 
     const WrittenFiles &optimize()
     {
-      static const WrittenFiles files{"optimize", field_files(), "", ""};
+      static const WrittenFiles files = with_pictures("optimize", field_files());
       return files;
     }
 
@@ -109,13 +118,13 @@ namespace swimtwin
 
     const WrittenFiles &sweep()
     {
-      static const WrittenFiles files{"sweep", sweep_files(), "", ""};
+      static const WrittenFiles files = with_pictures("sweep", sweep_files());
       return files;
     }
 
     const WrittenFiles &calibrate()
     {
-      static const WrittenFiles files{"calibrate", fit_files(), "", ""};
+      static const WrittenFiles files = with_pictures("calibrate", fit_files());
       return files;
     }
 
@@ -133,7 +142,7 @@ namespace swimtwin
 
     const WrittenFiles &demo()
     {
-      static const WrittenFiles files{"demo", demo_files(), "", ""};
+      static const WrittenFiles files = with_pictures("demo", demo_files());
       return files;
     }
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <system_error>
 #include <utility>
 
@@ -53,9 +54,9 @@ namespace swimtwin
       fs::remove_all(aside);
     }
 
-    bool put_back_or_remove(const fs::path &aside, const fs::path &folder, const FilePatterns &patterns)
+    bool put_back_or_remove(const fs::path &aside, const fs::path &folder, const WrittenFiles &files)
     {
-      const bool belongs_back = matching_files(folder, patterns).empty();
+      const bool belongs_back = files_of_verb(folder, files).empty();
       if (belongs_back)
         put_back(aside, folder);
       else
@@ -64,13 +65,23 @@ namespace swimtwin
     }
   } // namespace
 
-  EarlierResults::EarlierResults(fs::path folder, const WrittenFiles &files)
-      : folder_(std::move(folder)), patterns_(files.patterns)
+  std::vector<fs::path> files_of_verb(const fs::path &folder, const WrittenFiles &files)
   {
-    const std::vector<fs::path> earlier = matching_files(folder_, patterns_);
+    std::vector<fs::path> own = matching_files(folder, files.patterns);
+    const auto is_own = [&](const fs::path &file) { return std::find(own.begin(), own.end(), file) != own.end(); };
+    const std::vector<fs::path> sharers = matching_files(folder, files.sharers);
+    if (!std::all_of(sharers.begin(), sharers.end(), is_own))
+      std::erase(own, folder / files.shared);
+    return own;
+  }
+
+  EarlierResults::EarlierResults(fs::path folder, WrittenFiles files)
+      : folder_(std::move(folder)), files_(std::move(files))
+  {
+    const std::vector<fs::path> earlier = files_of_verb(folder_, files_);
     if (earlier.empty())
       return;
-    const fs::path aside = place_aside(folder_, files.verb), moving = place_on_the_way(aside);
+    const fs::path aside = place_aside(folder_, files_.verb), moving = place_on_the_way(aside);
     try
     {
       for (const fs::path &file : earlier)
@@ -97,7 +108,7 @@ namespace swimtwin
 
   bool EarlierResults::restore_or_drop()
   {
-    return are_aside() && put_back_or_remove(std::exchange(aside_, {}), folder_, patterns_);
+    return are_aside() && put_back_or_remove(std::exchange(aside_, {}), folder_, files_);
   }
 
   void settle_earlier_results(const fs::path &folder, const std::vector<WrittenFiles> &all)
@@ -109,7 +120,7 @@ namespace swimtwin
       if (fs::exists(moving, ignored))
         put_back(moving, folder);
       if (fs::exists(aside, ignored))
-        put_back_or_remove(aside, folder, files.patterns);
+        put_back_or_remove(aside, folder, files);
     }
   }
 } // namespace swimtwin

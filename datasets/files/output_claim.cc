@@ -94,7 +94,7 @@ namespace swimtwin
       require_places(request.folder, request.files.patterns);
       if (request.resume)
         return {};
-      const std::vector<fs::path> earlier = matching_files(request.folder, request.files.patterns);
+      const std::vector<fs::path> earlier = files_of_verb(request.folder, request.files);
       if (!request.force)
         refuse_results(request, earlier);
       protect_inputs(request, earlier);

@@ -82,6 +82,24 @@ namespace swimtwin
     EXPECT_EQ(n_files(folder.path), 2u);
   }
 
+  TEST_F(EarlierResultsTest, LeaveWhatPicturesOfOtherVerbsNeed)
+  {
+    const WrittenFiles drawn_run{
+        "simulate", {"pictures/style.gp", "pictures/shapes.gp"}, "", "", "pictures/style.gp", {"pictures/*.gp"}};
+    fs::create_directories(folder.path / "pictures");
+    for (const char *file : {"pictures/style.gp", "pictures/shapes.gp", "pictures/fit.gp"})
+      folder.write(file, "old");
+    EarlierResults earlier(folder.path, drawn_run);
+    EXPECT_FALSE(fs::exists(folder.path / "pictures/shapes.gp"));
+    EXPECT_EQ(content(folder.path / "pictures/style.gp"), "old");
+    EXPECT_TRUE(earlier.restore_or_drop());
+    EXPECT_EQ(content(folder.path / "pictures/shapes.gp"), "old");
+
+    fs::remove(folder.path / "pictures/fit.gp");
+    EarlierResults all(folder.path, drawn_run);
+    EXPECT_FALSE(fs::exists(folder.path / "pictures"));
+  }
+
   // Some are aside and some still in place.
   TEST_F(EarlierResultsTest, OfARunThatWasKilledWhileTheyMovedComeBack)
   {
