@@ -99,6 +99,24 @@ bootstrap_samples = 60
     expect_all_declared(results, written_by::calibrate().patterns);
   }
 
+  // One observation is ten times too large.
+  TEST_F(CalibrateVerb, FindsTheMinimumBesideAnOutlierAndNamesTheLossThatItCannotPull)
+  {
+    const std::string data    = std::string(places::source) + "/tests/datasets/cases/curves/outlier.csv";
+    const Outcome     outcome = calibrate({"--data", data, "--inertia", "none"});
+    ASSERT_EQ(outcome.code, 0) << outcome.errors;
+    expect_in(outcome.output, "status       converged");
+    expect_in(outcome.errors, "outlier.csv:7: the observation at 0.72 Hz");
+    expect_in(outcome.errors, "kind = \"huber\"");
+
+    folder.write("fit.toml", problem + "[loss]\nkind = \"huber\"\n");
+    const Outcome robust = calibrate({"--data", data, "--inertia", "none", "--force"});
+    ASSERT_EQ(robust.code, 0) << robust.errors;
+    const CalibrationResult result = read_calibration_result(folder.path / "results/calibration.json");
+    EXPECT_NEAR(result.parameters[0].value, 8e4 / 1.52, 0.05 * 8e4 / 1.52);
+    EXPECT_NEAR(result.parameters[1].value, 2e5 / 1.52, 0.05 * 2e5 / 1.52);
+  }
+
   TEST_F(CalibrateVerb, RefusesBadObservationsAndLeavesNothing)
   {
     expect_refusal("frequency_Hz,displacement_m\n0.2,1e-4\n0.5,1e-4\n", "sigma_m");
