@@ -1,6 +1,6 @@
 #include <app/full_order/field_replay.h>
 
-#include <app/progress_bar.h>
+#include <app/frame/progress_bar.h>
 #include <control/goal/measured_field.h>
 #include <control/stroke/settled_start.h>
 #include <datasets/files/output_folder.h>

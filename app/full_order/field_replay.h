@@ -1,7 +1,7 @@
 // A plan's fields on the full-order model.
 #pragma once
 
-#include <app/verb.h>
+#include <app/frame/verb.h>
 #include <datasets/reduced/reduced_model.h>
 #include <datasets/run/plan_result.h>
 

@@ -2,7 +2,7 @@
 // own.
 #pragma once
 
-#include <app/library_environment.h>
+#include <app/frame/library_environment.h>
 
 #include <string>
 

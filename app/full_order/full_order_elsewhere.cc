@@ -7,10 +7,10 @@
 #include <app/full_order/full_order_program.h>
 #include <app/full_order/full_order_run.h>
 #include <app/full_order/model_refinement.h>
-#include <app/plan.h>
-#include <app/resistance.h>
-#include <app/simulate.h>
-#include <app/train.h>
+#include <app/full_order/plan_report.h>
+#include <app/full_order/resistance_report.h>
+#include <app/full_order/simulation_report.h>
+#include <app/full_order/training_report.h>
 
 namespace swimtwin
 {

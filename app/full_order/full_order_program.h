@@ -1,7 +1,7 @@
 // The program with the full-order model, which the tool turns into when a verb needs it.
 #pragma once
 
-#include <app/library_environment.h>
+#include <app/frame/library_environment.h>
 
 namespace swimtwin
 {

@@ -1,6 +1,6 @@
 #include <app/full_order/library_start.h>
 
-#include <app/library_environment.h>
+#include <app/frame/library_environment.h>
 #include <datasets/system/console.h>
 
 #include <csignal>

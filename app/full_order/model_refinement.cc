@@ -1,7 +1,7 @@
 #include <app/full_order/model_refinement.h>
 
-#include <app/ranks.h>
-#include <app/stage_bar.h>
+#include <app/frame/ranks.h>
+#include <app/frame/stage_bar.h>
 #include <datasets/files/output_folder.h>
 #include <datasets/system/console.h>
 #include <reports/sweep/model_card.h>

@@ -1,7 +1,7 @@
 // A model that follows its use: trained again with the shapes of full-order runs of what was made with it.
 #pragma once
 
-#include <app/verb.h>
+#include <app/frame/verb.h>
 #include <datasets/reduced/reduced_model.h>
 #include <datasets/scene/inertia_terms.h>
 

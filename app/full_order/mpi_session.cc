@@ -1,8 +1,8 @@
 #include <app/full_order/mpi_session.h>
 
+#include <app/frame/library_environment.h>
 #include <app/full_order/blas_buffer.h>
 #include <app/full_order/library_start.h>
-#include <app/library_environment.h>
 
 #include <deal.II/base/mpi.h>
 #include <petscsys.h>

@@ -1,9 +1,9 @@
 // What will be solved, what is skipped and why, and what it will cost.
-#include <app/plan.h>
+#include <app/full_order/plan_report.h>
 
-#include <app/claimed_folder.h>
-#include <app/ranks.h>
-#include <app/written_files.h>
+#include <app/frame/claimed_folder.h>
+#include <app/frame/ranks.h>
+#include <app/frame/written_files.h>
 #include <datasets/files/output_folder.h>
 #include <datasets/system/console.h>
 #include <fom/run/run_plan.h>

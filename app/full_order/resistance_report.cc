@@ -1,9 +1,9 @@
 // The rigid resistance matrix of a scene's swimmer at rest, with its file.
-#include <app/resistance.h>
+#include <app/full_order/resistance_report.h>
 
-#include <app/claimed_folder.h>
-#include <app/ranks.h>
-#include <app/written_files.h>
+#include <app/frame/claimed_folder.h>
+#include <app/frame/ranks.h>
+#include <app/frame/written_files.h>
 #include <datasets/files/output_folder.h>
 #include <datasets/system/console.h>
 #include <datasets/system/error.h>

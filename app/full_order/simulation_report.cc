@@ -1,10 +1,10 @@
 // A run of the full-order model, with its report.
-#include <app/simulate.h>
+#include <app/full_order/simulation_report.h>
 
-#include <app/claimed_folder.h>
-#include <app/progress_bar.h>
-#include <app/ranks.h>
-#include <app/written_files.h>
+#include <app/frame/claimed_folder.h>
+#include <app/frame/progress_bar.h>
+#include <app/frame/ranks.h>
+#include <app/frame/written_files.h>
 #include <datasets/run/run_summary_json.h>
 #include <datasets/system/console.h>
 #include <datasets/system/error.h>

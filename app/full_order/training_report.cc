@@ -1,11 +1,11 @@
 // The training of a reduced swimmer, with its report.
-#include <app/train.h>
+#include <app/full_order/training_report.h>
 
-#include <app/claimed_folder.h>
-#include <app/ranks.h>
-#include <app/shipped_files.h>
-#include <app/stage_bar.h>
-#include <app/written_files.h>
+#include <app/frame/claimed_folder.h>
+#include <app/frame/ranks.h>
+#include <app/frame/shipped_files.h>
+#include <app/frame/stage_bar.h>
+#include <app/frame/written_files.h>
 #include <datasets/files/output_folder.h>
 #include <datasets/reduced/held_out_error.h>
 #include <datasets/run/run_summary_json.h>

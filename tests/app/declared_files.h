@@ -16,6 +16,6 @@ namespace swimtwin
     EXPECT_FALSE(declared.empty());
     for (const auto &entry : std::filesystem::recursive_directory_iterator(folder))
       EXPECT_TRUE(entry.is_directory() || std::find(declared.begin(), declared.end(), entry.path()) != declared.end())
-          << entry.path() << " is written and not declared in app/written_files.cc";
+          << entry.path() << " is written and not declared in app/frame/written_files.cc";
   }
 } // namespace swimtwin

@@ -1,7 +1,7 @@
 // The tool with some verbs, run inside the test.
 #pragma once
 
-#include <app/tool.h>
+#include <app/frame/tool.h>
 
 #include <gtest/gtest.h>
 
