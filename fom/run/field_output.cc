@@ -78,7 +78,7 @@ namespace swimtwin
       if (!data.scalar_name.empty())
         names.push_back(data.scalar_name);
       DataOutBase::VtkFlags flags;
-      flags.write_higher_order_cells = true;
+      flags.write_higher_order_cells = dim == 2; // deal.II 9.4.1 then leaves tetrahedra without types and offsets
       std::ostringstream text; // in memory first: a full disk is then noticed, and named, in one place
       DataOutBase::write_vtu<dim, spacedim>(
           patches, names,

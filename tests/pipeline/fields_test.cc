@@ -54,4 +54,15 @@ namespace swimtwin
     simulate(half_a_period, folder.path, {"--force"});
     checked_times(folder.path / "fields");
   }
+
+  TEST(Fields, InSpaceAreQuadraticRestAtWallsAndMoveWithTheHead)
+  {
+    const TemporaryFolder folder;
+    simulate(coarse_swimmer_in_space(0.25).with({"output.fields_per_period=8"}), folder.path);
+    const double  head_back_x_m = 0.25e-3;
+    const Outcome outcome       = run({places::python, "-B", std::string(places::checks) + "/check_fields_in_space.py",
+                                       folder.path, std::to_string(head_back_x_m * 1e9) + "e-9"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out, "3 3 2\n"); // 0, 5, 10 steps; no fluid at the start
+  }
 } // namespace swimtwin
