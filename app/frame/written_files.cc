@@ -28,10 +28,11 @@ namespace swimtwin
 
     FilePatterns motion_files()
     {
-      return joined({{"trajectory.csv", "summary.json", "snapshots.h5", "checkpoint.h5", "fields/fluid.pvd",
+      return joined({{"trajectory.csv", "summary.json", "snapshots.h5", "flow.h5", "checkpoint.h5", "fields/fluid.pvd",
                       "fields/tail.pvd", "fields/body.pvd", "fields/view.py", "fields/fluid-[0-9]*.vtu",
                       "fields/tail-[0-9]*.vtu", "fields/body-[0-9]*.vtu"},
-                     page_with({"trajectory", "angles", "stroke_loop", "power_balance", "shapes", "spatial_view"})});
+                     page_with({"trajectory", "angles", "stroke_loop", "power_balance", "shapes", "spatial_view",
+                                "flow_in_plane"})});
     }
 
     FilePatterns training_files()

@@ -53,7 +53,7 @@ namespace swimtwin
         std::optional<SnapshotSet> snapshots;
         if (scene.tail)
           snapshots = result.snapshots;
-        pictures = draw_run(common.output, scene, result.trajectory, result.summary, snapshots, warning);
+        pictures = draw_run(common.output, scene, result.trajectory, result.summary, snapshots, result.flows, warning);
       }
       for (const std::string &doubt : result.summary.warnings)
         warn(doubt);

@@ -151,7 +151,7 @@ namespace swimtwin
 
       std::string warning;
       if (command.with_pictures)
-        draw_run(common.output, scene, motion.trajectory, summary, shapes, warning);
+        draw_run(common.output, scene, motion.trajectory, summary, shapes, {}, warning);
       for (const std::string &each : summary.warnings)
         warn(each);
       if (!warning.empty())

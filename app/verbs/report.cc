@@ -99,7 +99,7 @@ namespace swimtwin
 
     std::vector<fs::path> draw(const RunFolder &run, const fs::path &folder, std::string &warning)
     {
-      return draw_run(folder, *run.scene, run.trajectory, run.record.summary, run.snapshots, warning);
+      return draw_run(folder, *run.scene, run.trajectory, run.record.summary, run.snapshots, run.flows, warning);
     }
 
     std::vector<fs::path> draw(const SweepFolder &sweep, const fs::path &folder, std::string &warning)

@@ -319,6 +319,7 @@ namespace swimtwin
     }
     if (!checkpoint.first_works.empty())
       file.write_matrix("/first_works_J_m", matrix(rows_of(checkpoint.first_works)), number);
+    write_plane_flows(file, "/flows", checkpoint.flows);
     for_each_number(checkpoint, [&](const std::string &name, const auto value) {
       file.write_attribute("/", name, static_cast<double>(value));
     });
@@ -363,6 +364,7 @@ namespace swimtwin
     }
     if (file.contains("/first_works_J_m"))
       checkpoint.first_works = works_of(rows(read_rows(file, "/first_works_J_m", 3)));
+    checkpoint.flows = read_plane_flows(file, "/flows");
     return checkpoint;
   }
 

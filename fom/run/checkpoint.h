@@ -1,6 +1,7 @@
 // checkpoint.h5: everything that a run needs to go on as if it had not stopped.
 #pragma once
 
+#include <datasets/run/plane_flow.h>
 #include <datasets/system/provenance.h>
 #include <fom/run/run_recorder.h>
 #include <fom/step/full_order_model.h>
@@ -15,6 +16,7 @@ namespace swimtwin
     ModelState<dim>                  model;
     std::vector<std::vector<double>> rows, shapes; ///< of RunRecorder, like the works
     std::vector<IntervalWork>        first_works = {};
+    std::vector<PlaneFlow>           flows       = {}; ///< noted so far
     double                           wall_time_s = 0., cpu_time_s = 0.;
   };
 

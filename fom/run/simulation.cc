@@ -11,6 +11,7 @@
 #include <datasets/system/provenance.h>
 #include <fom/run/checkpoint.h>
 #include <fom/run/field_output.h>
+#include <fom/run/flow_in_plane.h>
 #include <fom/run/run_plan.h>
 #include <fom/run/run_recorder.h>
 #include <fom/step/full_order_model.h>
@@ -90,6 +91,8 @@ namespace swimtwin
         recorder_.note(model_, grid_step);
         if (fields_ && grid_step % field_interval() == 0)
           fields_->template write<dim>(instant_of(model_), grid_step / field_interval());
+        if (is_writer_ && is_flow_instant(scene_.time, grid_step) && !model_.coupling().fluid_values().empty())
+          flows_.push_back(flow_in_plane(model_));
       }
 
       void advance_or_explain()
@@ -121,6 +124,7 @@ namespace swimtwin
                                          recorder_.rows(),
                                          recorder_.shapes(),
                                          recorder_.first_works(),
+                                         flows_,
                                          wall_before_ + seconds_since(start_),
                                          cpu_before_ + process_cpu_time_s()};
         if (is_writer_)
@@ -132,6 +136,7 @@ namespace swimtwin
         Checkpoint<dim> checkpoint = read_checkpoint<dim>(checkpoint_file_, scene_);
         model_.restore(checkpoint.model);
         recorder_.restore(checkpoint.rows, std::move(checkpoint.shapes), std::move(checkpoint.first_works));
+        flows_       = std::move(checkpoint.flows);
         grid_step_   = checkpoint.model.grid_step;
         wall_before_ = checkpoint.wall_time_s;
         cpu_before_  = checkpoint.cpu_time_s;
@@ -231,7 +236,7 @@ namespace swimtwin
 
       SimulationResult write(const std::string &status)
       {
-        SimulationResult result{recorder_.trajectory(), summary(status), {}};
+        SimulationResult result{recorder_.trajectory(), summary(status), {}, flows_};
         if (scene_.tail)
           result.snapshots = recorder_.snapshots(model_.swimmer());
         if (!is_writer_)
@@ -257,6 +262,8 @@ namespace swimtwin
           write_trajectory_csv(staged / "trajectory.csv", result.trajectory, dim);
           if (!result.snapshots.time_s.empty())
             write_snapshots(staged / "snapshots.h5", result.snapshots, provenance());
+          if (!result.flows.empty())
+            write_plane_flows(staged / "flow.h5", result.flows, provenance());
           write_run_summary_json(staged / "summary.json", {result.summary, provenance()});
         }
         catch (...)
@@ -280,6 +287,7 @@ namespace swimtwin
       FullOrderModel<dim>        model_;
       RunRecorder<dim>           recorder_;
       std::optional<FieldOutput> fields_;
+      std::vector<PlaneFlow>     flows_; ///< of the writer
       int                        grid_step_ = 0;
     };
   } // namespace

@@ -1,6 +1,7 @@
 // A whole run: step, record, checkpoint, write.
 #pragma once
 
+#include <datasets/run/plane_flow.h>
 #include <datasets/run/snapshot_set.h>
 #include <datasets/run/trajectory.h>
 #include <datasets/scene/scene.h>
@@ -30,13 +31,15 @@ namespace swimtwin
 
   struct SimulationResult
   {
-    Trajectory  trajectory;
-    RunSummary  summary;
-    SnapshotSet snapshots; ///< empty without a tail
+    Trajectory             trajectory;
+    RunSummary             summary;
+    SnapshotSet            snapshots; ///< empty without a tail
+    std::vector<PlaneFlow> flows;     ///< of rank 0; empty without a fluid
   };
 
-  /// Run a scene and write trajectory.csv, summary.json, snapshots.h5 (with a tail) and, when the scene asks, fields/.
-  /// Results take their names when the run is complete; until then only checkpoint.h5 grows. If the computation fails,
-  /// summary.json says why, the checkpoint stays, and the ComputationError is passed on. Collective.
+  /// Run a scene and write trajectory.csv, summary.json, snapshots.h5 (with a tail), flow.h5 (with a fluid) and, when
+  /// the scene asks, fields/. Results take their names when the run is complete; until then only checkpoint.h5 grows.
+  /// If the computation fails, summary.json says why, the checkpoint stays, and the ComputationError is passed on.
+  /// Collective.
   SimulationResult simulate(const Scene &scene, const SimulationOptions &options, MPI_Comm communicator);
 } // namespace swimtwin

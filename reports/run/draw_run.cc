@@ -3,6 +3,7 @@
 #include <datasets/scene/mirror_plane.h>
 #include <datasets/system/error.h>
 #include <reports/page/draw_pictures.h>
+#include <reports/run/flow_picture.h>
 #include <reports/run/motion_pictures.h>
 #include <reports/run/shapes_picture.h>
 #include <reports/run/spatial_view.h>
@@ -40,13 +41,16 @@ namespace swimtwin
         if (run.scene.dimension == 3)
           pictures.push_back(spatial_view_picture(run));
       }
+      if (has_flow(run))
+        pictures.push_back(flow_picture(run));
       return pictures;
     }
 
     void remove_earlier_pictures(const fs::path &folder)
     {
       std::error_code ignored; // what cannot be removed cannot be replaced either, and that is told
-      for (const std::string name : {"trajectory", "angles", "stroke_loop", "power_balance", "shapes", "spatial_view"})
+      for (const std::string name :
+           {"trajectory", "angles", "stroke_loop", "power_balance", "shapes", "spatial_view", "flow_in_plane"})
         for (const std::string ending : {".png", ".gp", ".dat"})
           fs::remove(folder / (name + ending), ignored);
     }
@@ -54,13 +58,13 @@ namespace swimtwin
 
   std::vector<fs::path> draw_run(const fs::path &folder, const Scene &scene, const Trajectory &trajectory,
                                  const RunSummary &summary, const std::optional<SnapshotSet> &snapshots,
-                                 std::string &warning)
+                                 const std::vector<PlaneFlow> &flows, std::string &warning)
   {
     warning.clear();
     if (trajectory.size() < n_rows_min)
       return {};
     const fs::path pictures_folder = folder / pictures_folder_name;
-    const ShownRun run{scene, trajectory, summary, snapshots, time_axis(scene, trajectory)};
+    const ShownRun run{scene, trajectory, summary, snapshots, flows, time_axis(scene, trajectory)};
     remove_earlier_pictures(pictures_folder);
     return draw_pictures(pictures_folder, choose_pictures(run),
                          fmt::format("scene {}, hash {}", scene.name, scene.hash), warning);

@@ -65,6 +65,8 @@ namespace swimtwin
     const bool has_snapshots = run.scene && run.scene->tail && run.scene->output.snapshots_per_period > 0;
     if (const fs::path file = folder / "snapshots.h5"; has_snapshots && fs::exists(file))
       run.snapshots = read_snapshots(file);
+    if (const fs::path file = folder / "flow.h5"; run.scene && fs::exists(file))
+      run.flows = read_plane_flows(file);
     return run;
   }
 } // namespace swimtwin

@@ -1,6 +1,7 @@
 // What a run left in its folder, read back.
 #pragma once
 
+#include <datasets/run/plane_flow.h>
 #include <datasets/run/run_summary_json.h>
 #include <datasets/run/snapshot_set.h>
 #include <datasets/run/trajectory.h>
@@ -19,6 +20,7 @@ namespace swimtwin
     std::optional<Scene>       scene;      ///< of the provenance; absent if this program cannot read it
     Trajectory                 trajectory; ///< empty when the run failed: what lies there is of an earlier one
     std::optional<SnapshotSet> snapshots;
+    std::vector<PlaneFlow>     flows;   ///< empty in runs of earlier versions, of reduced models and without a fluid
     std::string                warning; ///< what is absent and why, one sentence; empty when all is there
   };
 
@@ -32,6 +34,7 @@ namespace swimtwin
   /// summary.json alone, with its scene. Throws InputError naming file and entry.
   RunFolder read_run_record(const std::filesystem::path &folder);
 
-  /// With trajectory.csv and, if it is there, snapshots.h5. Throws InputError naming the file that is wrong.
+  /// With trajectory.csv and, if they are there, snapshots.h5 and flow.h5. Throws InputError naming the file that is
+  /// wrong.
   RunFolder read_run(const std::filesystem::path &folder);
 } // namespace swimtwin

@@ -1,6 +1,7 @@
 // What the pictures of a run have in common: the run they show, a heading, a time axis.
 #pragma once
 
+#include <datasets/run/plane_flow.h>
 #include <datasets/run/snapshot_set.h>
 #include <datasets/run/trajectory.h>
 #include <datasets/scene/scene.h>
@@ -20,6 +21,7 @@ namespace swimtwin
     const Trajectory                 &trajectory;
     const RunSummary                 &summary;
     const std::optional<SnapshotSet> &snapshots;
+    const std::vector<PlaneFlow>     &flows;
     TimeAxis                          axis;
 
     double time(double time_s) const { return axis(time_s); }

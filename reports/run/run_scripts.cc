@@ -172,4 +172,42 @@ do for [k=1:words(instants)] {
 }
 unset multiplot
 )gp";
+
+  const std::string_view flow_in_plane = R"gp(
+set multiplot
+set palette defined (0 '#f7fafd', 0.15 '#d3e3f1', 0.4 '#8db8db', 0.7 '#3c7fb5', 1 '#0d3b6e')
+unset grid
+decade(width) = 10**floor(log10(width))
+spacing(width) = decade(width) * (width < 2*decade(width) ? 0.5 : width < 5*decade(width) ? 1 : 2)
+n = words(instants)
+n_columns = n > 1 ? 2 : 1
+n_lines = n > 2 ? 2 : 1
+set cbrange [0:speed_max]
+zoom_out = 1.01
+set ylabel offset 0.8,0
+do for [k=1:n] {
+  column = (k - 1) % 2; line = (k - 1) / 2
+  left = 0.07 + 0.43*column; right = n_columns > 1 ? left + 0.385 : 0.87
+  top = 0.83 - 0.4*line; bottom = n_lines > 1 ? top - 0.315 : 0.12
+  eval(panel)
+  unset key
+  eval(one_scale)
+  set xtics spacing(x_max - x_min)
+  set ytics 2*spacing(y_max - y_min)
+  set xlabel (k > n - n_columns ? 'x (mm)' : '')
+  set ylabel (column == 0 ? 'y (mm)' : '')
+  set label 5 word(instants, k).' '.instant_unit at screen left, screen top + 0.022 left font ',17' tc rgb text_color
+  if (k == n) {
+    set colorbox user origin screen 0.915, screen bottom size screen 0.013, screen 0.83 - bottom noborder
+    set label 6 'mm/s' at screen 0.915, screen 0.852 left font ',17' tc rgb text_color
+  } else { unset colorbox }
+  # per instant: samples, arrows, chords of the tail, chords of the head
+  plot data index 4*(k-1) using 1:2:3 with image notitle, \
+       data index 4*(k-1)+1 using 1:2:3:4 with vectors head filled size screen 0.005,20,60 fixed lw 1 lc rgb field_color notitle, \
+       data index 4*(k-1)+2 using 1:2:3:4 with vectors nohead lw 2 lc rgb tail_color notitle, \
+       data index 4*(k-1)+3 using 1:2:3:4 with vectors nohead lw 2 lc rgb head_color notitle
+  eval(without_heading)
+}
+unset multiplot
+)gp";
 } // namespace swimtwin::gnuplot_scripts

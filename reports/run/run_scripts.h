@@ -11,4 +11,5 @@ namespace swimtwin::gnuplot_scripts
   extern const std::string_view power_balance; ///< powers and their residual over time
   extern const std::string_view shapes;        ///< outlines at some instants
   extern const std::string_view spatial_view;  ///< surfaces in space at four instants
+  extern const std::string_view flow_in_plane; ///< speed and direction of the flow at four instants
 } // namespace swimtwin::gnuplot_scripts

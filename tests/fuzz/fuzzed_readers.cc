@@ -11,6 +11,7 @@
 #include <datasets/observation/observation_set.h>
 #include <datasets/reduced/reduced_model.h>
 #include <datasets/run/plan_result.h>
+#include <datasets/run/plane_flow.h>
 #include <datasets/run/run_summary_json.h>
 #include <datasets/run/snapshot_set.h>
 #include <datasets/run/trajectory.h>
@@ -203,6 +204,18 @@ namespace swimtwin
       return written([&](const fs::path &file) { write_plan_result(file, plan); });
     }
 
+    PlaneFlow small_flow()
+    {
+      PlaneFlow flow;
+      flow.time_s         = 1.;
+      flow.x_m            = {0., 1e-3, 2e-3};
+      flow.y_m            = {0., 1e-3};
+      flow.velocity_m_s   = Eigen::MatrixXd::Constant(6, 3, 1e-3);
+      flow.part           = Eigen::VectorXi::LinSpaced(6, 0, 3);
+      flow.head_outline_m = flow.tail_outline_m = Eigen::MatrixXd::Constant(2, 4, 1e-3);
+      return flow;
+    }
+
     std::vector<FuzzedReader> result_readers()
     {
       const std::string trajectory = written([](const fs::path &file) { write_trajectory_csv(file, short_motion()); });
@@ -220,6 +233,14 @@ namespace swimtwin
           {"trajectory.csv", "trajectory.csv", {trajectory}, {{"summary.json", summary}}, false, read_folder},
           {"summary.json", "summary.json", {summary}, {{"trajectory.csv", trajectory}}, false, read_folder},
           {"snapshots.h5", "snapshots.h5", {snapshots}, {}, true, [](const fs::path &file) { read_snapshots(file); }},
+          {"flow.h5",
+           "flow.h5",
+           {written([](const fs::path &file) {
+             write_plane_flows(file, {small_flow(), small_flow()}, {"swimtwin", "simulate", "", "abc", "", 7.});
+           })},
+           {},
+           true,
+           [](const fs::path &file) { read_plane_flows(file); }},
           {"calibration.json",
            "calibration.json",
            {calibration},

@@ -2,6 +2,7 @@
 
 #include <datasets/files/hdf5_file.h>
 #include <datasets/files/hdf5_open.h>
+#include <datasets/run/plane_flow.h>
 #include <datasets/run/snapshot_set.h>
 
 #include <algorithm>
@@ -86,6 +87,8 @@ namespace swimtwin
         EXPECT_EQ(read_run_summary_json(file).summary.status, "completed");
       else if (name == "snapshots.h5")
         EXPECT_EQ(read_snapshots(file).time_s.size(), n_rows);
+      else if (name == "flow.h5")
+        EXPECT_EQ(read_plane_flows(file).size(), 4u);
       else if (file.extension() == ".vtu")
         EXPECT_NE(content(file).find("</VTKFile>"), std::string::npos) << file;
       else if (file.extension() == ".pvd")

@@ -37,7 +37,7 @@ namespace swimtwin
     simulate(one_period, folder.path / "run");
     EXPECT_EQ(names_in(folder.path), std::vector<std::string>{"run"});
     EXPECT_EQ(names_in(folder.path / "run"),
-              (std::vector<std::string>{"snapshots.h5", "summary.json", "trajectory.csv"}));
+              (std::vector<std::string>{"flow.h5", "snapshots.h5", "summary.json", "trajectory.csv"}));
   }
 
   TEST(Outputs, TheTrajectoryHasTheContractsColumnsAndARowPerStep)

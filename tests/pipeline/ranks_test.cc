@@ -41,6 +41,28 @@ namespace swimtwin
       EXPECT_LE(largest_angle_difference(one.trajectory, several.trajectory), 1e-8);
     }
 
+    /// One of two ranks is killed after the first checkpoint.
+    void expect_end_and_resume_without(const std::size_t missing, const ShrunkScene &scene, const Motion &whole)
+    {
+      const TemporaryFolder folder;
+      const auto            run = folder.path / "run";
+      {
+        ChildProcess process(words_for_ranks(simulate_arguments(scene, run)));
+        ASSERT_TRUE(process.wait_for_file(run / "checkpoint.h5"));
+        const auto ranks = process.children();
+        ASSERT_EQ(ranks.size(), 2u);
+        ASSERT_EQ(::kill(ranks[missing], SIGKILL), 0);
+        EXPECT_FALSE(process.wait_until([] { return false; })); // ends by itself, or after a minute
+        ASSERT_TRUE(process.children().empty());
+        EXPECT_NE(process.wait().exit_code, 0);
+      }
+      EXPECT_FALSE(std::filesystem::exists(run / "summary.json"));
+      const Outcome resumed = run_on_two_ranks(simulate_arguments(scene, run, {"--resume"}));
+      EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+      EXPECT_LE(distance(read_motion(run).trajectory, whole.trajectory), 1e-8);
+      EXPECT_EQ(n_files(run), 4u);
+    }
+
     /// What is left is mpirun's own report of an exit code that is not 0.
     void expect_one_sentence_and_an_end_in_order(const Outcome &outcome, const int exit_code, const std::string &part)
     {
@@ -81,25 +103,13 @@ namespace swimtwin
     const ShrunkScene scene = coarse_swimmer(40, 0.5).with({"numerics.linear_tolerance=1e-11"});
     const Motion      whole = simulate(scene);
     for (const std::size_t missing : {0, 1})
-    {
-      const TemporaryFolder folder;
-      const auto            run = folder.path / "run";
-      {
-        ChildProcess process(words_for_ranks(simulate_arguments(scene, run)));
-        ASSERT_TRUE(process.wait_for_file(run / "checkpoint.h5"));
-        const auto ranks = process.children();
-        ASSERT_EQ(ranks.size(), 2u);
-        ASSERT_EQ(::kill(ranks[missing], SIGKILL), 0);
-        EXPECT_FALSE(process.wait_until([] { return false; })); // ends by itself, or after a minute
-        ASSERT_TRUE(process.children().empty());
-        EXPECT_NE(process.wait().exit_code, 0);
-      }
-      EXPECT_FALSE(std::filesystem::exists(run / "summary.json"));
-      const Outcome resumed = run_on_two_ranks(simulate_arguments(scene, run, {"--resume"}));
-      EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
-      EXPECT_LE(distance(read_motion(run).trajectory, whole.trajectory), 1e-8);
-      EXPECT_EQ(n_files(run), 3u);
-    }
+      expect_end_and_resume_without(missing, scene, whole);
+  }
+
+  TEST(Ranks, AMissingRankEndsTheRunInSpaceToo)
+  {
+    const ShrunkScene scene = coarse_swimmer_in_space(0.25).with({"numerics.linear_tolerance=1e-11"});
+    expect_end_and_resume_without(1, scene, simulate(scene));
   }
 
   TEST(Ranks, FieldsOfTwoRanksAreThoseOfOne)

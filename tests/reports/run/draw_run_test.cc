@@ -30,15 +30,19 @@ namespace swimtwin
     class DrawRun : public ::testing::Test
     {
     protected:
-      std::vector<fs::path> draw() { return draw_run(folder.path, scene, trajectory, summary, snapshots, warning); }
-      void                  SetUp() override { summarize_motion(trajectory, scene.field.period_s(), 0., summary); }
+      std::vector<fs::path> draw()
+      {
+        return draw_run(folder.path, scene, trajectory, summary, snapshots, flows, warning);
+      }
+      void SetUp() override { summarize_motion(trajectory, scene.field.period_s(), 0., summary); }
 
       const TemporaryFolder      folder;
       Scene                      scene      = synthetic_scene();
       Trajectory                 trajectory = synthetic_trajectory(scene.field.period_s(), 200, 100, 0.002);
       RunSummary                 summary;
       std::optional<SnapshotSet> snapshots = synthetic_snapshots(trajectory, 2);
-      std::string                warning   = "left from before";
+      std::vector<PlaneFlow>     flows;
+      std::string                warning = "left from before";
     };
 
     /// No program is found while it lives.
@@ -58,6 +62,25 @@ namespace swimtwin
     for (const fs::path &png : drawn)
       EXPECT_EQ(content(png).substr(0, 4), "\x89PNG") << png;
     EXPECT_EQ(n_files(folder.path / "pictures"), 5u * 3u + 1u);
+  }
+
+  TEST_F(DrawRun, AFlowIsShownWhereItMoves)
+  {
+    const EmptyPath no_gnuplot;
+    PlaneFlow       flow;
+    flow.time_s       = trajectory.back().time_s;
+    flow.x_m          = {0., 1e-3};
+    flow.y_m          = {0., 1e-3, 2e-3};
+    flow.velocity_m_s = Eigen::MatrixXd::Zero(6, 2);
+    flow.part         = Eigen::VectorXi::Constant(6, static_cast<int>(SampledPart::fluid));
+    flows             = {flow};
+    draw();
+    EXPECT_FALSE(fs::exists(folder.path / "pictures/flow_in_plane.gp"));
+    flows.front().velocity_m_s(4, 1) = 2e-3;
+    draw();
+    const std::string script = content(folder.path / "pictures/flow_in_plane.gp");
+    expect_in(script, "speed_max = 2");
+    expect_in(script, "up to 2 mm/s");
   }
 
   TEST_F(DrawRun, WithoutGnuplotTheScriptsStayAndOneSentenceTellsTheRemedy)
