@@ -37,4 +37,18 @@ namespace swimtwin
               << std::endl;
     EXPECT_NEAR(image.summary.net_displacement_m.value(), displacement, 0.002 * std::abs(displacement));
   }
+
+  // In space meshes are not reflected at y = 0: what is left is how far a mesh is from its own mirror image.
+  TEST(Mirror, AMirroredFieldGivesTheMirroredMotionInSpace)
+  {
+    const auto   scene  = coarse_swimmer_in_space(0.5);
+    const Motion motion = simulate(scene), image = simulate(scene.with({mirrored_field}));
+    ASSERT_EQ(motion.trajectory.size(), image.trajectory.size());
+    const double way        = .5 * distance(motion.trajectory, image.trajectory),
+                 difference = distance(motion.trajectory, mirrored(image.trajectory));
+    std::cout << "mirrored motion in space: " << difference << " of a motion of " << way << " body lengths"
+              << std::endl;
+    EXPECT_LE(difference, 0.01 * way);
+    EXPECT_GE(way, 0.1);
+  }
 } // namespace swimtwin

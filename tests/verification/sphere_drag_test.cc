@@ -83,6 +83,18 @@ steps = 1
     EXPECT_LE(result.asymmetry, 1e-10);
   }
 
+  TEST(SphereInSphere, ResistanceIsProportionalToViscosity)
+  {
+    const auto matrix_at = [](const double viscosity_Pa_s) {
+      auto entries = mesh_sizes(.3, .5, .5);
+      entries.push_back(override_entry("fluid.viscosity_Pa_s", viscosity_Pa_s));
+      return resistance(parse_scene(sphere_in_sphere, "sphere-in-sphere", entries)).matrix;
+    };
+    const auto once = matrix_at(1.), twice = matrix_at(2.);
+    for (unsigned int k = 0; k < once.m(); ++k)
+      EXPECT_NEAR(twice(k, k), 2. * once(k, k), 1e-9 * twice(k, k));
+  }
+
   // Three tube diameters long, with closed ends: the flow there has decayed like exp(-4.5 z/R), to 1e-6.
   TEST(SphereInTube, DragIsExact)
   {

@@ -97,4 +97,21 @@ namespace swimtwin
     std::cout << "half and whole differ by " << difference << " body lengths" << std::endl;
     EXPECT_LE(difference, 1e-8);
   }
+
+  // Without inertia all forces are then twice as large. Linear solvers end at another residual by round-off.
+  TEST(SwimmerInSpace, DoublingViscosityStiffnessAndFieldChangesNothing)
+  {
+    const Scene once  = shipped_scene("reference-3d-paper", coarse({})),
+                twice = shipped_scene("reference-3d-paper",
+                                      coarse({"fluid.viscosity_Pa_s=3.04", "tail.young_modulus_Pa=4e5",
+                                              "field.bx_T=1e-2", "field.by_T=1e-2"})),
+                thick = shipped_scene("reference-3d-paper", coarse({"fluid.viscosity_Pa_s=3.04"}));
+    const Swimmer<3> swimmer(once, MPI_COMM_WORLD);
+    const auto       end        = after(once, 3);
+    const double     difference = swimmer.relative_change(end, after(twice, 3)),
+                 way            = swimmer.relative_change(end, swimmer.configuration_at_rest());
+    std::cout << "twice all forces change " << difference << " of a motion of " << way << " body lengths" << std::endl;
+    EXPECT_LE(difference, 1e-8);
+    EXPECT_GE(swimmer.relative_change(end, after(thick, 3)), 0.1 * way);
+  }
 } // namespace swimtwin
