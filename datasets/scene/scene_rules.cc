@@ -300,9 +300,19 @@ namespace swimtwin
     void check_clearance(const TomlDocument &document, const Scene &scene)
     {
       const Clearance clearance = swimmer_clearance(scene);
+      // In space a narrower gap is filled with tetrahedra of its width for ever.
+      constexpr double narrowest = 5e-4; // body lengths
       // round-off of a body that is placed exactly on a wall
       if (clearance.distance_m > 1e-9 * scene.body_length_m())
+      {
+        if (scene.dimension == 3 && clearance.distance_m < narrowest * scene.body_length_m())
+          document.refuse("domain", "",
+                          fmt::format("leaves {:.2g} m between the swimmer and the {} wall, too narrow a gap to be "
+                                      "meshed in space; {:.2g} m are needed, a 2000th of the body's length: enlarge "
+                                      "the domain, or move the head.",
+                                      clearance.distance_m, clearance.wall, narrowest * scene.body_length_m()));
         return;
+      }
       const std::string verb = clearance.distance_m < -1e-9 * scene.body_length_m()
                                    ? fmt::format("reaches {:.4g} m beyond", -clearance.distance_m)
                                    : std::string("touches");

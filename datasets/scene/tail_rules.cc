@@ -119,6 +119,20 @@ namespace swimtwin
                         std::asin(least) * 180. / std::numbers::pi));
     }
 
+    /// A round tip that is finer is not filled with tetrahedra, however fine they are.
+    void check_pointed_tip(const TomlDocument &document, const Tail &tail)
+    {
+      constexpr double least = 1. / 450; // of the length; 1/500 was meshed, 1/620 was not
+      if (tail.section != TailSection::circular || tail.tip_height_m >= least * tail.length_m)
+        return;
+      const bool is_straight = tail.profile_m.empty();
+      document.refuse("tail", is_straight ? "tip_height_m" : "profile_m",
+                      fmt::format("{} too pointed to be meshed in space; a tip {:.2g} m thick or more is needed, a "
+                                  "450th of the tail's length: blunt it.",
+                                  is_straight ? "m is" : fmt::format("ends {:.3g} m thick,", tail.tip_height_m),
+                                  least * tail.length_m));
+    }
+
     void check_root_and_tip(const TomlDocument &document, const Head &head, const Tail &tail)
     {
       const bool        is_straight = tail.profile_m.empty();
@@ -156,6 +170,9 @@ namespace swimtwin
   {
     check_root_and_tip(document, scene.head, *scene.tail);
     if (scene.dimension == 3)
+    {
       check_wedge(document, scene.head, *scene.tail);
+      check_pointed_tip(document, *scene.tail);
+    }
   }
 } // namespace swimtwin

@@ -32,7 +32,8 @@ namespace swimtwin
     /// Each quadratic face on the boundary as four plane triangles.
     std::vector<std::array<int, 3>> boundary_triangles(const Eigen::MatrixXi &cells)
     {
-      constexpr int face[4][6] = {{0, 1, 2, 4, 5, 6}, {0, 1, 3, 4, 8, 7}, {0, 2, 3, 6, 9, 7}, {1, 2, 3, 5, 9, 8}};
+      constexpr int face[4][6] = {
+          {0, 2, 1, 6, 5, 4}, {0, 1, 3, 4, 8, 7}, {0, 3, 2, 7, 9, 6}, {1, 2, 3, 5, 9, 8}}; // seen from outside
       constexpr int part[4][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}};
       std::map<std::array<int, 3>, std::pair<int, std::array<int, 6>>> faces;
       for (Eigen::Index cell = 0; cell < cells.rows(); ++cell)

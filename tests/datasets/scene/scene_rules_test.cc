@@ -213,6 +213,17 @@ namespace swimtwin
     expect_refused({"tail.root_height_m=1.6e-3"}, "is larger than the head's height of 0.0015 m");
   }
 
+  TEST(SceneRules, InSpaceNeitherTipNorGapIsTooFineForTetrahedra)
+  {
+    expect_refused(in_space + Overrides{"tail.tip_height_m=1.2e-5"},
+                   "too pointed to be meshed in space; a tip 1.7e-05 m");
+    expect_accepted(swimmer_toml, in_space + Overrides{"tail.tip_height_m=2e-5"});
+    expect_accepted(swimmer_toml, {"tail.tip_height_m=1.2e-5"});
+    expect_refused(in_space + Overrides{"domain.size_m=[40e-3, 1.502e-3, 20e-3]"},
+                   "leaves 1e-06 m between the swimmer and the");
+    expect_accepted(swimmer_toml, {"domain.size_m=[40e-3, 1.502e-3]"});
+  }
+
   TEST(SceneRules, TheTailDoesNotWiden)
   {
     expect_refused({"tail.tip_height_m=1.51e-3"}, "is larger than root_height_m = 0.0015 m");
