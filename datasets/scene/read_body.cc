@@ -68,7 +68,7 @@ namespace swimtwin
     table.pair("size_m", optional("m"), head.size_m);
     table.number("diameter_m", optional("m"), diameter_m);
     declare_surface(table);
-    table.pair("center_m", optional("m", any_number), head.center_m);
+    read_center(document, table, "head", dimension, head.center_m);
     table.number("angle_rad", optional("rad", any_number), head.angle_rad);
     table.number("density_kg_m3", optional("kg/m^3"), head.density_kg_m3);
     table.number("magnetization_A_m", optional("A/m", any_number), head.magnetization_A_m);

@@ -68,6 +68,21 @@ namespace swimtwin
     }
   } // namespace
 
+  void read_center(const TomlDocument &document, TomlTable &table, const std::string &name, const int dimension,
+                   std::array<double, 2> &center_m)
+  {
+    const NumberRule rule = optional("m", any_number);
+    if (dimension != 3 || table.array_size("center_m") != 3)
+      return table.pair("center_m", rule, center_m);
+    std::array<double, 3> center{};
+    table.triple("center_m", rule, center);
+    if (center[2] != 0.)
+      document.refuse(name, "center_m",
+                      "leaves the plane z = 0, in which head and domain are centred; give [x, y], and turn the scene "
+                      "about x so that they are apart along y, or shift the file of a surface.");
+    center_m = {center[0], center[1]};
+  }
+
   std::optional<FluidProperties> read_fluid(const TomlDocument &document)
   {
     TomlTable       table(document, "fluid");
@@ -101,7 +116,7 @@ namespace swimtwin
       table.choice("shape", Need::required, domain_shapes_in_space, domain.shape);
     else
       table.choice("shape", Need::required, domain_shapes_in_plane, domain.shape);
-    table.pair("center_m", optional("m", any_number), domain.center_m);
+    read_center(document, table, "domain", dimension, domain.center_m);
     if (dimension == 3)
     {
       table.triple("size_m", optional("m"), size_m);

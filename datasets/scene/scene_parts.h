@@ -22,6 +22,10 @@ namespace swimtwin
     table.choice(key, need, Names<Enum>::list, target);
   }
 
+  /// `center_m` of [head] or [domain]: x and y, in space also with a z that is 0.
+  void read_center(const TomlDocument &document, TomlTable &table, const std::string &name, int dimension,
+                   std::array<double, 2> &center_m);
+
   std::optional<FluidProperties> read_fluid(const TomlDocument &document);
   std::optional<Domain>          read_domain(const TomlDocument &document, int dimension);
   /// After surfaces were read, which name the walls of some domains.

@@ -4,6 +4,7 @@
 #include <datasets/scene/scene_names.h>
 #include <datasets/scene/scene_rules.h>
 #include <datasets/scene/scene_surfaces.h>
+#include <datasets/scene/surface_units.h>
 #include <datasets/scene/swimmer_clearance.h>
 #include <datasets/scene/tail_rules.h>
 #include <datasets/text/toml_document.h>
@@ -440,6 +441,7 @@ namespace swimtwin
     {
       check_walls(document, scene);
       check_coupling(document, scene);
+      check_surface_units(document, scene);
       check_clearance(document, scene);
     }
     check_symmetry(document, scene);

@@ -141,6 +141,20 @@ steps = 2
     expect_in(way_out_of_plane(scene), "mirror image at z = 0");
   }
 
+  TEST_F(SceneSurfaces, FilesInAnotherUnitAreTakenForAMistake)
+  {
+    expect_refused(walls_toml, {"domain.surface_unit_m=1.0"},
+                   "[domain] surface_unit_m = 1 m makes the domain 10 m long, but the swimmer 0.002 m; if the file is "
+                   "in mm, as it seems, set it to 1e-3");
+    expect_refused(walls_toml, {"domain.surface_unit_m=1e-6"}, "if the file is in mm, as it seems, set it to 1e-3");
+    expect_refused(body_toml, {"head.surface_unit_m=1.0"},
+                   "[head] surface_unit_m = 1 m makes the domain 0.01 m long, but the swimmer 3 m; if the file is in "
+                   "mm, as it seems, set it to 1e-3");
+    expect_refused(body_toml, {"head.surface_unit_m=1e-6"}, "if the file is in mm, as it seems, set it to 1e-3");
+    expect_refused(walls_toml, {"head.diameter_m=20e-3"}, "does not contain the swimmer"); // no unit mends that
+    EXPECT_NO_THROW(parse(body_toml, {"domain.size_m=[1.2, 1.2, 1.2]"}));                  // 400 times, nor that
+  }
+
   TEST_F(SceneSurfaces, EntriesGoWithTheShape)
   {
     expect_refused(body_toml, {"head.shape=sphere", "head.diameter_m=1e-3"}, "surface = \"body.stl\" does not belong");
