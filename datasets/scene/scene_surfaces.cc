@@ -128,6 +128,20 @@ namespace swimtwin
     return reason;
   }
 
+  std::vector<std::string> sliver_warnings(const Scene &scene)
+  {
+    constexpr double         least = 0.05;
+    std::vector<std::string> warnings;
+    for (const ClosedSurface *surface :
+         {scene.head.surface.get(), scene.domain ? scene.domain->surface.get() : nullptr})
+      if (const double worst = surface != nullptr ? triangle_sizes(*surface).worst_quality : 1.; worst < least)
+        warnings.push_back(fmt::format(
+            "{} has a triangle of quality {:.2g} (1: equilateral), and the mesh is made of its triangles: the "
+            "flow is inaccurate at slivers below {}; mesh the surface anew",
+            surface->file.filename().string(), worst, least));
+    return warnings;
+  }
+
   ClosedSurface surface_at_start(const Head &head)
   {
     ClosedSurface surface = *head.surface;

@@ -16,6 +16,9 @@ namespace swimtwin
   /// A clause, empty if the scene's surfaces are their own mirror images at z = 0 but for 1 % of their extent.
   std::string asymmetric_surface(const Scene &scene);
 
+  /// A sentence for each surface with triangles of a quality below 0.05, which are the mesh there.
+  std::vector<std::string> sliver_warnings(const Scene &scene);
+
   /// The nodes of the head's surface where it starts, in the laboratory (m).
   ClosedSurface surface_at_start(const Head &head);
 } // namespace swimtwin

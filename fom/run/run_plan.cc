@@ -3,6 +3,7 @@
 #include <datasets/scene/dimensionless_groups.h>
 #include <datasets/scene/inertia_terms.h>
 #include <datasets/scene/mirror_plane.h>
+#include <datasets/scene/scene_surfaces.h>
 #include <datasets/surface/closed_surface.h>
 #include <fom/algebra/linear_system.h>
 #include <fom/algebra/solver_memory.h>
@@ -261,20 +262,14 @@ namespace swimtwin
     }
     void plan_surface(const std::string &whose, const ClosedSurface &surface, RunPlan &plan)
     {
-      constexpr double    sliver = 0.05;
-      const TriangleSizes sizes  = triangle_sizes(surface);
-      const std::string   file   = surface.file.filename().string();
+      const TriangleSizes sizes = triangle_sizes(surface);
+      const std::string   file  = surface.file.filename().string();
       plan.numbers.push_back(
           {whose + " surface",
            fmt::format("{}: {} {} triangles, edges of {:.3g} m in the mean and {:.3g} m at most, worst quality {:.2g}; "
                        "encloses {:.6g} m^3",
                        file, surface.faces.size(), surface.is_curved ? "curved" : "straight", sizes.mean_edge_m,
                        sizes.longest_edge_m, sizes.worst_quality, enclosed_volume(surface).volume_m3)});
-      if (sizes.worst_quality < sliver)
-        plan.warnings.push_back(fmt::format(
-            "{} has a triangle of quality {:.2g} (1: equilateral), and the mesh is made of its triangles: the "
-            "flow is inaccurate at slivers below {}; mesh the surface anew",
-            file, sizes.worst_quality, sliver));
     }
 
     void plan_surfaces(const Scene &scene, RunPlan &plan)
@@ -283,6 +278,8 @@ namespace swimtwin
         plan_surface("body's", *scene.head.surface, plan);
       if (scene.domain && scene.domain->surface)
         plan_surface("walls'", *scene.domain->surface, plan);
+      for (const std::string &warning : sliver_warnings(scene))
+        plan.warnings.push_back(warning);
     }
 
     /// Mesh the scene at rest and count.

@@ -6,6 +6,7 @@
 #include <datasets/scene/dimensionless_groups.h>
 #include <datasets/scene/inertia_terms.h>
 #include <datasets/scene/mirror_plane.h>
+#include <datasets/scene/scene_surfaces.h>
 #include <datasets/system/clocks.h>
 #include <datasets/system/error.h>
 #include <datasets/system/provenance.h>
@@ -196,7 +197,7 @@ namespace swimtwin
       /// What a user has to know before trusting the numbers.
       std::vector<std::string> warnings(const std::vector<WorkBalance> &balances) const
       {
-        std::vector<std::string> result;
+        std::vector<std::string> result = sliver_warnings(scene_);
         for (const std::string &warning : {inertia_warning(scene_), symmetry_warning(scene_),
                                            stabilization_warning(balances), open_balance_warning(balances)})
           if (!warning.empty())

@@ -155,6 +155,21 @@ steps = 2
     EXPECT_NO_THROW(parse(body_toml, {"domain.size_m=[1.2, 1.2, 1.2]"}));                  // 400 times, nor that
   }
 
+  TEST_F(SceneSurfaces, SliversAreWarnedOfByTheFileTheyAreIn)
+  {
+    EXPECT_TRUE(sliver_warnings(parse(body_toml)).empty());
+    EXPECT_TRUE(sliver_warnings(parse(walls_toml)).empty());
+    folder_.write("body.stl", stl_text(example_box({2., 2., 0.02})));
+    const auto of_body = sliver_warnings(parse(body_toml));
+    ASSERT_EQ(of_body.size(), 1u);
+    expect_in(of_body[0],
+              "body.stl has a triangle of quality 0.017"); // sqrt(12) a b / (a^2 + b^2 + c^2), of 2 and 0.02
+    folder_.write("walls.msh", msh41_text(example_box({500., 10., 10.}), 6));
+    const auto of_walls = sliver_warnings(parse(walls_toml));
+    ASSERT_EQ(of_walls.size(), 1u);
+    expect_in(of_walls[0], "walls.msh has a triangle of quality 0.035");
+  }
+
   TEST_F(SceneSurfaces, EntriesGoWithTheShape)
   {
     expect_refused(body_toml, {"head.shape=sphere", "head.diameter_m=1e-3"}, "surface = \"body.stl\" does not belong");
