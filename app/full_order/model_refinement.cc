@@ -16,10 +16,13 @@ namespace swimtwin
 
   namespace
   {
-    /// The training's own runs, if the model lies where it was trained: they are looked at before they are used.
-    void bring_runs(const fs::path &from, const fs::path &to)
+    /// The training's own runs and samples, if the model lies where it was trained: they are looked at before they are
+    /// used.
+    void bring_work(const fs::path &from, const fs::path &to)
     {
       fs::create_directories(to);
+      if (fs::is_regular_file(from / "samples.h5"))
+        fs::copy_file(from / "samples.h5", to / "samples.h5", fs::copy_options::skip_existing);
       for (const char *runs : {"runs", "held-out-with-inertia"})
         if (fs::is_directory(from / runs))
           fs::copy(from / runs, to / runs, fs::copy_options::recursive | fs::copy_options::skip_existing);
@@ -40,13 +43,14 @@ namespace swimtwin
       return all;
     }
 
-    /// With the inertia that the model before has, also where it was added to a scene without.
+    /// With the inertia that the model before has, also where it was added to a scene without; else the very scene that
+    /// its samples are of.
     Scene scene_of(const ReducedModel &model, const InertiaTerms &carried)
     {
+      Scene scene = scene_with_inertia(model, "");
       if (!model.inertia.is_given())
-        return scene_with_inertia(model, "none");
-      const bool was_added = scene_with_inertia(model, "").fluid->inertia == Inertia::none;
-      return scene_with_inertia(model, was_added && carried.any() ? "full" : "");
+        return scene.fluid->inertia == Inertia::none ? scene : scene_with_inertia(model, "none");
+      return scene.fluid->inertia == Inertia::none && carried.any() ? scene_with_inertia(model, "full") : scene;
     }
   } // namespace
 
@@ -60,7 +64,7 @@ namespace swimtwin
     for (std::size_t i = 0; i < shapes.size(); ++i)
       options.snapshots.push_back(shape_file(folder, i));
     agree([&] {
-      bring_runs(before_folder, folder);
+      bring_work(before_folder, folder);
       fs::create_directories(folder / "shapes");
       for (std::size_t i = 0; i < shapes.size(); ++i)
         fs::copy_file(shapes[i], options.snapshots[i], fs::copy_options::overwrite_existing);

@@ -13,7 +13,8 @@ namespace swimtwin
     verb->add_option("scene", common->scene, "Scene file, or name of a shipped scene")->required();
     add_common_options(*verb, *common, OutputFolder::required);
     verb->add_flag("--resume", own->resume, "Go on from the last checkpoint of an interrupted run");
-    verb->add_flag("--pictures", own->pictures, "Draw trajectory, angles, stroke loop, power balance and shapes");
+    verb->add_flag("--pictures", own->pictures,
+                   "Draw trajectory, angles, stroke loop, power balance, shapes and flow, in space also the swimmer");
     common->command_line = command_line;
     return [common, own] {
       const Scene scene = load_scene(*common);

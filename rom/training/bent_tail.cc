@@ -230,6 +230,12 @@ namespace swimtwin
         shape.slope_m += moment;
       }
     }
+
+    /// Over fields (columns) and the tail.
+    double mean_square(const Eigen::MatrixXd &fields, const TailSpace &space)
+    {
+      return fields.cwiseProduct(space.mean_product * fields).sum() / static_cast<double>(fields.cols());
+    }
   } // namespace
 
   template <int dim>
@@ -270,16 +276,18 @@ namespace swimtwin
                                      const Eigen::MatrixXd &, const Eigen::MatrixXd &, MPI_Comm,
                                      const std::function<void(int, int)> &);
 
-  void record_representation(const Eigen::MatrixXd &displacements, const TailSpace &space, TailBasis &basis)
+  double left_by(const TailBasis &basis, const Eigen::MatrixXd &displacements, const TailSpace &space)
   {
     const Eigen::MatrixXd q    = basis.coordinates_of(space, displacements);
     Eigen::MatrixXd       left = displacements;
     for (Eigen::Index k = 0; k < left.cols(); ++k)
       left.col(k) -= basis.displacement(q.col(k));
-    const auto squares = [&](const Eigen::MatrixXd &fields) {
-      return fields.cwiseProduct(space.mean_product * fields).sum() / static_cast<double>(fields.cols());
-    };
-    basis.projection_error_m = std::sqrt(squares(left));
-    basis.energy_captured    = 1. - squares(left) / squares(displacements);
+    return std::sqrt(mean_square(left, space));
+  }
+
+  void record_representation(const Eigen::MatrixXd &displacements, const TailSpace &space, TailBasis &basis)
+  {
+    basis.projection_error_m = left_by(basis, displacements, space);
+    basis.energy_captured    = 1. - std::pow(basis.projection_error_m, 2) / mean_square(displacements, space);
   }
 } // namespace swimtwin

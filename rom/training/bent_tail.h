@@ -32,6 +32,8 @@ namespace swimtwin
                          const Eigen::MatrixXd &seen, const Eigen::MatrixXd &displacements, MPI_Comm communicator,
                          const std::function<void(int, int)> &on_progress = {});
 
-  /// What a bent basis leaves of displacements (one per column).
+  /// What a bent basis leaves of displacements (one per column): root mean square over them and the tail, m.
+  double left_by(const TailBasis &basis, const Eigen::MatrixXd &displacements, const TailSpace &space);
+  /// The same of those that it was made from, noted in the basis.
   void record_representation(const Eigen::MatrixXd &displacements, const TailSpace &space, TailBasis &basis);
 } // namespace swimtwin

@@ -42,21 +42,7 @@ namespace swimtwin
                                const Eigen::VectorXd &effects, const UsualPlace &usual, const FitEconomy &economy)
       : region_(region)
   {
-    const Eigen::Index n       = samples.front().resistance.rows();
-    resistance_.factor_at_rest = factor_at_rest(samples.front().resistance, region.has_mirror);
-    SampleTable table{Eigen::MatrixXd(samples.size(), region.n_variables()),
-                      Eigen::MatrixXd(samples.size(), n * (n + 1) / 2), Eigen::VectorXd(samples.size()), n,
-                      region.has_mirror};
-    // Where the resistance is far from that at rest no polynomial follows it; fitted all the same, such corners would
-    // spoil the shapes that swimmers go through.
-    constexpr double far = 0.5; // in entries of C
-    for (std::size_t k = 0; k < samples.size(); ++k)
-    {
-      table.z.row(k)       = region.variables(samples[k].point).transpose();
-      table.entries.row(k) = factor_entries(resistance_.factor_at_rest, samples[k].resistance).transpose();
-      table.weight(k)      = samples[k].point.weight / (1. + table.entries.row(k).squaredNorm() / (far * far));
-    }
-
+    resistance_.factor_at_rest     = factor_at_rest(samples.front().resistance, region.has_mirror);
     resistance_.coordinate_scale_m = region.coordinate_scale_m;
     resistance_.depends_on_angle   = region.depends_on_angle;
     resistance_.angle_scale_rad    = region.angle_scale_rad;
@@ -67,12 +53,65 @@ namespace swimtwin
       resistance_.usual_by_sine_m     = usual.by_sine_m;
       resistance_.usual_by_coordinate = usual.by_coordinate;
     }
-    fit_chosen_features(feature_sets(effects, table.z.rows(), region.has_mirror), table, economy);
-    fit_halves(table);
+    table_ = table_of(samples);
+    fit_chosen_features(feature_sets(effects, table_.z.rows(), region.has_mirror), economy);
+    fit_halves();
+    find_covariance();
+  }
 
-    const SampleTable     rows = guided(table, guide_, restraint_);
+  SampleTable ResistanceFit::table_of(const std::vector<ResistanceSample> &samples) const
+  {
+    const Eigen::Index n = samples.front().resistance.rows();
+    SampleTable        table{Eigen::MatrixXd(samples.size(), region_.n_variables()),
+                      Eigen::MatrixXd(samples.size(), n * (n + 1) / 2), Eigen::VectorXd(samples.size()), n,
+                      region_.has_mirror};
+    // Where the resistance is far from that at rest no polynomial follows it; fitted all the same, such corners would
+    // spoil the shapes that swimmers go through.
+    constexpr double far = 0.5; // in entries of C
+    for (std::size_t k = 0; k < samples.size(); ++k)
+    {
+      table.z.row(k)       = region_.variables(samples[k].point).transpose();
+      table.entries.row(k) = factor_entries(resistance_.factor_at_rest, samples[k].resistance).transpose();
+      table.weight(k)      = samples[k].point.weight / (1. + table.entries.row(k).squaredNorm() / (far * far));
+    }
+    return table;
+  }
+
+  void ResistanceFit::favour(const std::vector<ResistanceSample> &used)
+  {
+    const SampleTable before = table_, more = table_of(used);
+    const auto        below = [](const auto &upper, const auto &lower) {
+      Eigen::MatrixXd both(upper.rows() + lower.rows(), upper.cols());
+      both << upper, lower;
+      return both;
+    };
+    table_.z       = below(before.z, more.z);
+    table_.entries = below(before.entries, more.entries);
+    for (const double times : {10., 3., 1.})
+    {
+      table_.weight                      = below(before.weight, Eigen::VectorXd(times * more.weight));
+      const Eigen::MatrixXd coefficients = fit_restrained(resistance_.exponents, table_, guide_, restraint_);
+      if (!is_sound(coefficients) && times > 1.)
+        continue;
+      resistance_.coefficients = coefficients;
+      break;
+    }
+    resistance_.half_fits.clear();
+    fit_halves();
+    find_covariance();
+  }
+
+  bool ResistanceFit::is_sound(const Eigen::MatrixXd &coefficients) const
+  {
+    return largest_condition(design(resistance_.exponents, beyond_) * coefficients, table_.n) <= bound_;
+  }
+
+  void ResistanceFit::find_covariance()
+  {
+    const SampleTable     rows = guided(table_, guide_, restraint_);
     const Eigen::MatrixXd A    = rows.weight.asDiagonal() * design(resistance_.exponents, rows.z);
-    parts_                     = fitted_together(resistance_.exponents, table);
+    parts_                     = fitted_together(resistance_.exponents, table_);
+    covariance_.clear();
     for (const auto &[features, entries] : parts_)
     {
       const Eigen::MatrixXd inverse =
@@ -81,22 +120,21 @@ namespace swimtwin
     }
   }
 
-  void ResistanceFit::fit_halves(const SampleTable &table)
+  void ResistanceFit::fit_halves()
   {
     for (const int half : {0, 1})
     {
       std::vector<int> rows{0}; // rest is in both
-      for (int k = 1; k < table.z.rows(); ++k)
+      for (int k = 1; k < table_.z.rows(); ++k)
         if (k % 2 == half)
           rows.push_back(k);
-      resistance_.half_fits.push_back(fit_restrained(resistance_.exponents, table.rows(rows), guide_, restraint_));
+      resistance_.half_fits.push_back(fit_restrained(resistance_.exponents, table_.rows(rows), guide_, restraint_));
     }
   }
 
   /// Coarse fits first; the best of those that are sound by a margin guides finer ones, which are on their own if there
   /// is none. Of all that are sound the smallest that is nearly as good as the best, or moves the swimmer like it.
-  void ResistanceFit::fit_chosen_features(const std::vector<Eigen::MatrixXi> &sets, const SampleTable &table,
-                                          const FitEconomy &economy)
+  void ResistanceFit::fit_chosen_features(const std::vector<Eigen::MatrixXi> &sets, const FitEconomy &economy)
   {
     struct Candidate
     {
@@ -107,13 +145,14 @@ namespace swimtwin
     constexpr int    n_judged = 1000, n_guiding = 500, most_of_coarse = 150;
     constexpr double times = 4., share_of_guide = .5;
     // Sound: nowhere beyond the samples is the condition more than some times that of the worst of them.
-    const double          bound  = times * largest_condition(table.entries, table.n);
-    const Eigen::MatrixXd beyond = variables_beyond(region_, n_judged + n_guiding), judged = beyond.topRows(n_judged);
-    guide_.z = beyond.bottomRows(n_guiding);
+    bound_                       = times * largest_condition(table_.entries, table_.n);
+    const Eigen::MatrixXd beyond = variables_beyond(region_, n_judged + n_guiding);
+    beyond_                      = beyond.topRows(n_judged);
+    guide_.z                     = beyond.bottomRows(n_guiding);
 
     std::vector<Candidate> candidates;
     const auto             add = [&](const std::size_t set, const FitRestraint &restraint) {
-      FitQuality quality = cross_validate(sets[set], table, guide_, restraint);
+      FitQuality quality = cross_validate(sets[set], table_, guide_, restraint);
       if (!std::isfinite(quality.rms))
         quality.rms = std::numeric_limits<double>::max();
       candidates.push_back({set, restraint, quality});
@@ -122,8 +161,9 @@ namespace swimtwin
       quality_                 = candidate.quality;
       restraint_               = candidate.restraint;
       resistance_.exponents    = sets[candidate.set];
-      resistance_.coefficients = fit_restrained(resistance_.exponents, table, guide_, restraint_);
-      return largest_condition(design(resistance_.exponents, judged) * resistance_.coefficients, table.n) <= condition;
+      resistance_.coefficients = fit_restrained(resistance_.exponents, table_, guide_, restraint_);
+      return largest_condition(design(resistance_.exponents, beyond_) * resistance_.coefficients, table_.n) <=
+             condition;
     };
     const auto fit_best_within = [&](const double condition) {
       std::sort(candidates.begin(), candidates.end(),
@@ -138,7 +178,7 @@ namespace swimtwin
     std::size_t n_coarse = 0;
     for (; n_coarse < sets.size() && (n_coarse == 0 || sets[n_coarse].rows() <= most_of_coarse); ++n_coarse)
       add_with_ridges(n_coarse);
-    if (const auto guiding = fit_best_within(share_of_guide * bound); guiding != candidates.end())
+    if (const auto guiding = fit_best_within(share_of_guide * bound_); guiding != candidates.end())
     {
       guide_.entries = design(resistance_.exponents, guide_.z) * resistance_.coefficients;
       for (std::size_t i = guiding->set; i < sets.size(); ++i) // read once: `add` moves the candidates
@@ -148,12 +188,12 @@ namespace swimtwin
     else
       for (std::size_t i = n_coarse; i < sets.size(); ++i)
         add_with_ridges(i);
-    const auto best = fit_best_within(bound);
+    const auto best = fit_best_within(bound_);
     if (best == candidates.end())
     {
       is_within(*std::min_element(candidates.begin(), candidates.end(),
                                   [](const auto &a, const auto &b) { return a.set < b.set; }),
-                bound); // the fewest monomials
+                bound_); // the fewest monomials
       return;
     }
     const Candidate        finest = *best; // the order changes
@@ -164,13 +204,13 @@ namespace swimtwin
     for (const Candidate &candidate : candidates)
     {
       const double worse = candidate.quality.rms / finest.quality.rms;
-      if (!(worse <= worst) || candidate.set == refused || !is_within(candidate, bound))
+      if (!(worse <= worst) || candidate.set == refused || !is_within(candidate, bound_))
         continue;
       if (worse <= economy.nearly || are_alike(economy.ways(resistance_), ways, economy.target))
         return;
       refused = candidate.set;
     }
-    is_within(finest, bound);
+    is_within(finest, bound_);
   }
 
   double ResistanceFit::leverage(const ShapePoint &point) const

@@ -35,6 +35,10 @@ namespace swimtwin
     ResistanceFit(const std::vector<ResistanceSample> &samples, const SampledRegion &region,
                   const Eigen::VectorXd &effects, const UsualPlace &usual = {}, const FitEconomy &economy = {});
 
+    /// Fit again, with the same monomials, to these samples too, each of which counts for many: as many as leave
+    /// the fit sound beyond the region.
+    void favour(const std::vector<ResistanceSample> &used);
+
     const ReducedResistance &resistance() const { return resistance_; }
     /// By five-fold cross-validation.
     const FitQuality &quality() const { return quality_; }
@@ -48,15 +52,20 @@ namespace swimtwin
     double velocity_error_at(const ResistanceSample &sample, const Eigen::VectorXd &velocity) const;
 
   private:
-    void fit_chosen_features(const std::vector<Eigen::MatrixXi> &sets, const SampleTable &table,
-                             const FitEconomy &economy);
-    void fit_halves(const SampleTable &table);
+    void        fit_chosen_features(const std::vector<Eigen::MatrixXi> &sets, const FitEconomy &economy);
+    SampleTable table_of(const std::vector<ResistanceSample> &samples) const;
+    void        fit_halves();
+    void        find_covariance();
+    bool        is_sound(const Eigen::MatrixXd &coefficients) const;
 
     SampledRegion                region_;
+    SampleTable                  table_;
     ReducedResistance            resistance_;
     FitQuality                   quality_;
     FitRestraint                 restraint_;
     SampleTable                  guide_;
+    Eigen::MatrixXd              beyond_;     ///< the region: variables, a row each, where fits must be sound
+    double                       bound_ = 0.; ///< largest condition of a sound one
     std::vector<FittedTogether>  parts_;
     std::vector<Eigen::MatrixXd> covariance_; ///< (A^T A)^-1 of their design matrices
   };

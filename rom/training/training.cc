@@ -46,6 +46,26 @@ namespace swimtwin
   {
     take_snapshots();
     book("full-order runs");
+    choose_shapes();
+    if (!given_.empty() && !do_for_given())
+    {
+      const std::size_t n_own = shapes_seen_.size();
+      sources_.insert(sources_.end(), options_.snapshots.begin(), options_.snapshots.end());
+      sets_.insert(sets_.end(), given_.begin(), given_.end());
+      given_.clear();
+      choose_shapes();
+      used_.assign(shapes_seen_.begin() + static_cast<std::ptrdiff_t>(n_own), shapes_seen_.end());
+    }
+    sample_resistance(*sampler_);
+    favour_use();
+    hold_out_samples(*sampler_);
+    judge();
+  }
+
+  /// Modes and region, from the shapes of sets_.
+  template <int dim>
+  void Training<dim>::choose_shapes()
+  {
     choose_basis();
     book("shapes of least energy");
     follow_head();
@@ -56,9 +76,6 @@ namespace swimtwin
     sampler_     = std::make_unique<ShapeSampler>([this](const ShapePoint &point) { return resistance_->at(point); },
                                               basis_.n_coordinates(), *store_, communicator_);
     choose_region(*sampler_);
-    sample_resistance(*sampler_);
-    hold_out_samples(*sampler_);
-    judge();
   }
 
   template <int dim>
@@ -66,6 +83,7 @@ namespace swimtwin
   {
     is_fine_ = true;
     fit(*sampler_, points_, economy(true));
+    favour_use();
     judge();
   }
 
@@ -75,6 +93,7 @@ namespace swimtwin
     constexpr int n_rounds = 2;
     for (int round = 0; round < n_rounds; ++round)
       explore_and_fit(n / n_rounds, round + 1 == n_rounds);
+    favour_use();
     judge();
   }
 
@@ -86,9 +105,37 @@ namespace swimtwin
     runs.overrides           = training_run_overrides(options_.steps_per_period);
     for (const auto &folder : run_full_order(scene_, training_design(options_.range), runs, communicator_))
       sources_.push_back(folder / "snapshots.h5");
-    sets_ = read_sets(sources_);
-    sources_.insert(sources_.end(), options_.snapshots.begin(), options_.snapshots.end());
-    sets_.insert(sets_.end(), given.begin(), given.end());
+    sets_  = read_sets(sources_);
+    given_ = std::move(given);
+  }
+
+  /// Whether modes and region of the runs' shapes do for those given too, the model's use: then samples of a training
+  /// that saw the runs alone are samples of this one.
+  template <int dim>
+  bool Training<dim>::do_for_given()
+  {
+    constexpr double worse = 2.; // what modes leave of shapes that they were not made from
+    if (!basis_.bent || left_by(basis_, space_.displacements(given_), space_) > worse * basis_.projection_error_m)
+      return false;
+    used_                = trajectory_points(given_, basis_, space_);
+    const UsualPlace own = wandering(given_, swimmer_, used_).usual;
+    for (auto &point : used_)
+    {
+      point.drift_y_m += own.height_m(point) - wandering_.usual.height_m(point);
+      keep_variables(point);
+      if (region_.variables(point).cwiseAbs().maxCoeff() > 1. ||
+          point.q.cwiseQuotient(region_.coordinate_scale_m).norm() > 1.)
+        return false;
+    }
+    return true;
+  }
+
+  /// Sets what the resistance does not depend on to zero.
+  template <int dim>
+  void Training<dim>::keep_variables(ShapePoint &point) const
+  {
+    point.angle_rad *= region_.depends_on_angle;
+    point.drift_y_m *= region_.depends_on_height;
   }
 
   template <int dim>
@@ -118,10 +165,11 @@ namespace swimtwin
       choose_bending();
     else
       choose_modes();
+    rest_        = {Eigen::VectorXd::Zero(basis_.n_coordinates()), 0., 0., 0.};
     n_snapshots_ = 0;
-    for (const auto &set : sets_)
-      n_snapshots_ += static_cast<int>(set.tail_displacement_m.rows());
-    rest_ = {Eigen::VectorXd::Zero(basis_.n_coordinates()), 0., 0., 0.};
+    for (const auto *sets : {&sets_, &given_})
+      for (const auto &set : *sets)
+        n_snapshots_ += static_cast<int>(set.tail_displacement_m.rows());
   }
 
   template <int dim>
@@ -205,10 +253,7 @@ namespace swimtwin
     region_.depends_on_angle  = share_of_displacement(pose_.on_angle) > negligible;
     region_.depends_on_height = share_of_displacement(pose_.on_height) > negligible;
     for (auto &point : shapes_seen_)
-    {
-      point.angle_rad *= region_.depends_on_angle;
-      point.drift_y_m *= region_.depends_on_height;
-    }
+      keep_variables(point);
   }
 
   template <int dim>
@@ -227,6 +272,18 @@ namespace swimtwin
     constexpr int n_rounds = 3;
     for (int round = 0; round < n_rounds; ++round)
       explore_and_fit(third / n_rounds, round + 1 == n_rounds);
+  }
+
+  /// Motions that the model is for count for more than the rest of the region.
+  template <int dim>
+  void Training<dim>::favour_use()
+  {
+    constexpr int n_along = 60;
+    if (used_.empty())
+      return;
+    fit_->favour(sampler_->sample(spread_out(used_, {rest_}, region_, effects_, n_along)));
+    model_.resistance = fit_->resistance();
+    book("resistance samples");
   }
 
   /// Rest, and the region's edge in every variable: one end, whose mirror image the other is, else those of both ends

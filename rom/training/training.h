@@ -49,6 +49,9 @@ namespace swimtwin
     void                     take_snapshots();
     std::vector<SnapshotSet> read_sets(const std::vector<std::filesystem::path> &files) const;
     TrainingRunOptions       run_options(const std::string &folder, const std::string &stage) const;
+    void                     choose_shapes();
+    bool                     do_for_given();
+    void                     keep_variables(ShapePoint &point) const;
     void                     choose_basis();
     void                     choose_modes();
     void                     choose_bending();
@@ -59,6 +62,7 @@ namespace swimtwin
     double                   share_of_displacement(double change) const;
     void                     sample_resistance(ShapeSampler &sampler);
     std::vector<ShapePoint>  sample_edge(ShapeSampler &sampler);
+    void                     favour_use();
     void                     explore_and_fit(int n, bool is_last);
     FitEconomy               economy(bool is_last) const;
     void fit(ShapeSampler &sampler, const std::vector<ShapePoint> &points, const FitEconomy &economy);
@@ -80,11 +84,11 @@ namespace swimtwin
     SnapshotSet                                               tail_; ///< its mesh alone
     TailSpace                                                 space_;
     std::vector<std::filesystem::path>                        sources_;
-    std::vector<SnapshotSet>                                  sets_;
+    std::vector<SnapshotSet>                                  sets_, given_;
     int                                                       n_snapshots_ = 0;
     TailBasis                                                 basis_;
     ShapePoint                                                rest_;
-    std::vector<ShapePoint>                                   shapes_seen_;
+    std::vector<ShapePoint>                                   shapes_seen_, used_;
     Wandering                                                 wandering_;
     SampledRegion                                             region_;
     PoseDependence                                            pose_;

@@ -76,6 +76,31 @@ namespace swimtwin
         }
   }
 
+  // With the same monomials: along a closed way of the shape, at places between those that were sampled.
+  TEST_F(ResistanceFitTest, IsCloserWhereAMotionThatIsFavouredGoes)
+  {
+    const auto on_the_way = [&](const double phase) {
+      ShapePoint point = rest;
+      point.q << .7e-3 * std::cos(2. * std::numbers::pi * phase), .6e-4 * std::sin(2. * std::numbers::pi * phase);
+      return at(point);
+    };
+    constexpr int                 n = 24;
+    std::vector<ResistanceSample> used;
+    for (int k = 0; k < n; ++k)
+      used.push_back(on_the_way(double(k) / n));
+    const auto error = [&](const ResistanceFit &fit) {
+      double worst = 0.;
+      for (int k = 0; k < n; ++k)
+        worst = std::max(worst, fit.velocity_error_at(on_the_way((k + .5) / n), Eigen::VectorXd::Ones(5)));
+      return worst;
+    };
+    const ResistanceFit fit(sampled(40), region, effects);
+    ResistanceFit       favouring = fit;
+    favouring.favour(used);
+    EXPECT_EQ(favouring.resistance().exponents, fit.resistance().exponents);
+    EXPECT_LT(error(favouring), .5 * error(fit));
+  }
+
   // Monomials cost time at each step: those that the swimmer's way does not feel are left out.
   TEST_F(ResistanceFitTest, LeavesOutWhatTheSwimmersWayDoesNotFeel)
   {
