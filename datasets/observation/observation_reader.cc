@@ -63,7 +63,8 @@ namespace swimtwin
         problems.error(fmt::format("{}: TrackMate's names of the columns stand on line {}; move that line to the top.",
                                    table.where_header(), table.line(*row)));
       else
-        add_tracks(head_tracks(table, &recording, recording.period_start_s, problems), sidecar, set, problems);
+        add_tracks(head_tracks(table.with_units_in_names(), &recording, recording.period_start_s, problems), sidecar,
+                   set, problems);
     }
 
     void read_table_of_set(const std::filesystem::path &file, const ObservationSidecar &sidecar, ObservationSet &set,
@@ -75,11 +76,11 @@ namespace swimtwin
                                    "[[recording]] file = \"{}\", frequency_Hz = ...",
                                    table.where_header(), is_trackmate_table(table) ? "TrackMate" : "DeepLabCut",
                                    file.filename().string()));
-      else if (is_track_table(table))
-        add_tracks(head_tracks(table, nullptr, sidecar.camera->period_start_s.value_or(0.), problems), sidecar, set,
+      else if (const CsvTable named = table.with_units_in_names(); is_track_table(named))
+        add_tracks(head_tracks(named, nullptr, sidecar.camera->period_start_s.value_or(0.), problems), sidecar, set,
                    problems);
       else
-        read_curve(table, set, problems);
+        read_curve(named, set, problems);
     }
 
     bool are_the_same(const Recording &a, const Recording &b)

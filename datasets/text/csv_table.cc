@@ -211,6 +211,26 @@ namespace swimtwin
     return table;
   }
 
+  CsvTable CsvTable::with_units_in_names() const
+  {
+    if (rows_.empty())
+      return *this;
+    CsvTable table = *this;
+    for (std::size_t column = 0; column < header_.size(); ++column)
+    {
+      const std::string &name = header_[column], &unit = rows_.front().cells[column];
+      if (name.empty() || unit.empty())
+        continue;
+      if (reading_with_unit(name) || !unit_factor(unit, unit))
+        return *this;
+      table.header_[column] = name + "_" + std::string(without_brackets(unit));
+    }
+    if (table.header_ == header_)
+      return *this;
+    table.rows_.erase(table.rows_.begin());
+    return table;
+  }
+
   std::optional<std::size_t> CsvTable::find_column(const std::string &name) const
   {
     const auto found = std::find(header_.begin(), header_.end(), name);

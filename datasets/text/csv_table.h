@@ -34,7 +34,10 @@ namespace swimtwin
     /// Rows of another length than the header, of a table that was read without them.
     const std::vector<WrongRow> &left_out() const { return left_out_; }
     /// The table without the rows on these lines of its file.
-    CsvTable                   without(const std::vector<WrongRow> &rows) const;
+    CsvTable without(const std::vector<WrongRow> &rows) const;
+    /// Where no name says a unit and the first row holds nothing but units (`frequency,displacement`, then `Hz,cm`),
+    /// the table with these in its names and without that row.
+    CsvTable                   with_units_in_names() const;
     bool                       has_column(const std::string &name) const;
     std::optional<std::size_t> find_column(const std::string &name) const;
     /// The number of a cell, or none where it is not a finite one; InputError for a missing column.

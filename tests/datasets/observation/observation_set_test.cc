@@ -195,6 +195,22 @@ namespace swimtwin
     expect_in(message_for_curve("0,1e-4,1e-6\n0.8,1e-4,1e-6\n"), "frequency_Hz (column 1) = \"0\" is not positive");
   }
 
+  // What plotting programs export: names, then a row of their units.
+  TEST(ObservationSet, TakesUnitsFromTheRowBelowNamesWithoutAny)
+  {
+    for (const char *units : {"Hz,cm,mm", "[Hz],(cm),(mm)"})
+    {
+      const ObservationFiles files(std::string("frequency,displacement,sigma\n") + units +
+                                   "\n0.4,0.017,3e-3\n0.8,0.018,4e-3\n");
+      const ObservationSet   set = read_observations(files.file);
+      ASSERT_EQ(set.points.size(), 2u);
+      EXPECT_DOUBLE_EQ(set.points[0].displacement_m, 0.017e-2);
+      EXPECT_DOUBLE_EQ(set.points[1].sigma_m, 4e-6);
+      expect_in(set.warnings.front(), "units are converted");
+    }
+    expect_in(message_for_curve("Hz,furlong,mm\n0.4,1,0.1\n", "frequency,displacement,sigma"), "is missing");
+  }
+
   TEST(ObservationSet, ReplicatesAreData)
   {
     const ObservationFiles files("frequency_Hz,displacement_m,sigma_m\n0.8,1e-4,1e-6\n0.4,2e-4,1e-6\n0.80,3e-4,1e-6\n");
