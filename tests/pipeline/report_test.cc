@@ -59,7 +59,7 @@ namespace swimtwin
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     expect_in(outcome.out, page.string());
     EXPECT_EQ(n_files(run_folder), n_before + 1);
-    EXPECT_EQ(n_pictures(page), gnuplot_is_there() ? 5 : 0);
+    EXPECT_EQ(n_pictures(page), gnuplot_is_there() ? 6 : 0);
     const RunRecord record = read_run_summary_json(run_folder / "summary.json");
     expect_in(content(page), record.provenance.scene_hash);
     expect_in(content(page), fmt::format("<td>{}</td>", record.summary.n_unknowns));

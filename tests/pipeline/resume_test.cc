@@ -50,7 +50,7 @@ namespace swimtwin
       EXPECT_EQ(resumed.summary.status, "completed");
       EXPECT_EQ(resumed.summary.n_steps, whole.summary.n_steps);
       EXPECT_EQ(resumed.summary.n_remeshes, whole.summary.n_remeshes);
-      EXPECT_EQ(n_files(folder), 3) << "something is left over beside trajectory, summary and snapshots";
+      EXPECT_EQ(n_files(folder), 4) << "something is left over beside trajectory, summary, snapshots and flow";
     }
 
     std::vector<std::string> contents(const std::filesystem::path &folder)
@@ -177,7 +177,7 @@ namespace swimtwin
     std::filesystem::remove(folder.path / "summary.json");
     std::filesystem::remove(folder.path / "snapshots.h5");
     simulate(short_run, folder.path, {"--resume"});
-    EXPECT_EQ(n_files(folder.path), 3);
+    EXPECT_EQ(n_files(folder.path), 4);
   }
 
   TEST(Resume, OfACompleteRunWithOtherSettingsIsRefused)

@@ -33,7 +33,7 @@ namespace swimtwin
     expect_failure(run_tool({"report", folder.path}), 2, {"a run goes on in " + folder.path.string()});
     EXPECT_TRUE(first.kill()) << "the first must not have been disturbed";
     simulate(brief_run, folder.path, {"--force"});
-    EXPECT_EQ(n_files(folder.path), 3u) << "a killed run must leave no lock";
+    EXPECT_EQ(n_files(folder.path), 4u) << "a killed run must leave no lock";
   }
 
   TEST(TwoRuns, StartedTogetherOneOfThemRuns)
@@ -48,7 +48,7 @@ namespace swimtwin
     EXPECT_EQ(std::count(codes.begin(), codes.end(), 0), 1);
     EXPECT_EQ(std::count(codes.begin(), codes.end(), 2), 2);
     EXPECT_EQ(read_motion(folder.path).summary.status, "completed");
-    EXPECT_EQ(n_files(folder.path), 3u);
+    EXPECT_EQ(n_files(folder.path), 4u);
   }
 
   TEST(TwoRuns, AForcedOneStartsInAFolderWithoutTheOld)
@@ -85,7 +85,7 @@ namespace swimtwin
       GTEST_SKIP() << "it was faster than the kill";
     expect_failure(run_tool(simulate_arguments(long_run, folder.path)), 2, {"already holds trajectory.csv"});
     EXPECT_EQ(content(folder.path / "trajectory.csv"), before);
-    EXPECT_EQ(n_files(folder.path), 3u);
+    EXPECT_EQ(n_files(folder.path), 4u);
   }
 
   // trajectory.csv has the columns of a field program.
@@ -97,7 +97,7 @@ namespace swimtwin
     const auto        replay  = brief_run.with({"field={program=\"" + program + "\", period_s=0.28}"});
     expect_failure(run_tool(simulate_arguments(replay, folder.path, {"--force"})), 2,
                    {"--force would replace " + program + ", which this run reads"});
-    EXPECT_EQ(n_files(folder.path), 3u);
+    EXPECT_EQ(n_files(folder.path), 4u);
   }
 
   TEST(TwoRuns, WrongInputWithForceLosesNothing)
@@ -108,6 +108,6 @@ namespace swimtwin
     for (const char *wrong : {"tail.young_modulus_Pa=-1", "time.steps_per_period=2", "field.program=\"none.csv\""})
       EXPECT_EQ(run_tool(simulate_arguments(brief_run.with({wrong}), folder.path, {"--force"})).exit_code, 2);
     EXPECT_EQ(content(folder.path / "summary.json"), before);
-    EXPECT_EQ(n_files(folder.path), 3u);
+    EXPECT_EQ(n_files(folder.path), 4u);
   }
 } // namespace swimtwin
