@@ -36,35 +36,36 @@ namespace swimtwin
         reader.refuse(path, fmt::format("has {} columns; 4 are needed.", chords.cols()));
       return chords;
     }
+
+    void write_plane_flow(Hdf5Writer &writer, const std::string &group, const PlaneFlow &flow)
+    {
+      writer.write_vector(group + "/x_m", std::span<const double>(flow.x_m), {"m", "x of the samples, evenly"});
+      writer.write_vector(group + "/y_m", std::span<const double>(flow.y_m), {"m", "y of the samples, evenly"});
+      writer.write_matrix(group + "/velocity_m_s", flow.velocity_m_s,
+                          {"m/s", "velocity of fluid and swimmer at z = 0, laboratory, one sample per row, x fastest"});
+      writer.write_vector(group + "/part", flow.part, {"1", "of each sample: 0 nothing, 1 fluid, 2 head, 3 tail"});
+      const ArrayMeaning chords{"m",
+                                "section of the surface at z = 0 by chords: x and y of one end, then of the other"};
+      writer.write_matrix(group + "/head_outline_m", flow.head_outline_m, chords);
+      writer.write_matrix(group + "/tail_outline_m", flow.tail_outline_m, chords);
+      writer.write_attribute(group, "time_s", flow.time_s);
+    }
+
+    PlaneFlow read_plane_flow(const Hdf5Reader &reader, const std::string &group)
+    {
+      PlaneFlow flow;
+      flow.time_s                 = reader.read_number_attribute(group, "time_s");
+      flow.x_m                    = reader.read_vector(group + "/x_m");
+      flow.y_m                    = reader.read_vector(group + "/y_m");
+      flow.velocity_m_s           = reader.read_matrix(group + "/velocity_m_s");
+      const std::vector<int> part = reader.read_int_vector(group + "/part");
+      flow.part                   = Eigen::VectorXi::Map(part.data(), static_cast<Eigen::Index>(part.size()));
+      flow.head_outline_m         = read_chords(reader, group + "/head_outline_m");
+      flow.tail_outline_m         = read_chords(reader, group + "/tail_outline_m");
+      require_samples(reader, group, flow);
+      return flow;
+    }
   } // namespace
-
-  void write_plane_flow(Hdf5Writer &writer, const std::string &group, const PlaneFlow &flow)
-  {
-    writer.write_vector(group + "/x_m", std::span<const double>(flow.x_m), {"m", "x of the samples, evenly"});
-    writer.write_vector(group + "/y_m", std::span<const double>(flow.y_m), {"m", "y of the samples, evenly"});
-    writer.write_matrix(group + "/velocity_m_s", flow.velocity_m_s,
-                        {"m/s", "velocity of fluid and swimmer at z = 0, laboratory, one sample per row, x fastest"});
-    writer.write_vector(group + "/part", flow.part, {"1", "of each sample: 0 nothing, 1 fluid, 2 head, 3 tail"});
-    const ArrayMeaning chords{"m", "section of the surface at z = 0 by chords: x and y of one end, then of the other"};
-    writer.write_matrix(group + "/head_outline_m", flow.head_outline_m, chords);
-    writer.write_matrix(group + "/tail_outline_m", flow.tail_outline_m, chords);
-    writer.write_attribute(group, "time_s", flow.time_s);
-  }
-
-  PlaneFlow read_plane_flow(const Hdf5Reader &reader, const std::string &group)
-  {
-    PlaneFlow flow;
-    flow.time_s                 = reader.read_number_attribute(group, "time_s");
-    flow.x_m                    = reader.read_vector(group + "/x_m");
-    flow.y_m                    = reader.read_vector(group + "/y_m");
-    flow.velocity_m_s           = reader.read_matrix(group + "/velocity_m_s");
-    const std::vector<int> part = reader.read_int_vector(group + "/part");
-    flow.part                   = Eigen::VectorXi::Map(part.data(), static_cast<Eigen::Index>(part.size()));
-    flow.head_outline_m         = read_chords(reader, group + "/head_outline_m");
-    flow.tail_outline_m         = read_chords(reader, group + "/tail_outline_m");
-    require_samples(reader, group, flow);
-    return flow;
-  }
 
   void write_plane_flows(Hdf5Writer &writer, const std::string &parent, const std::vector<PlaneFlow> &flows)
   {

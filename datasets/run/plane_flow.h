@@ -27,12 +27,8 @@ namespace swimtwin
     Eigen::MatrixXd head_outline_m, tail_outline_m; ///< chords of the section: x and y of one end, then of the other
   };
 
-  /// As datasets of a group (docs/file-formats.md).
-  void      write_plane_flow(Hdf5Writer &writer, const std::string &group, const PlaneFlow &flow);
-  PlaneFlow read_plane_flow(const Hdf5Reader &reader, const std::string &group);
-
-  /// Groups /instants/0, /instants/1, ..., provenance as attributes of the root. Written to a temporary name, then
-  /// renamed. Reading throws InputError that names file and dataset.
+  /// Groups /instants/0, /instants/1, ... (docs/file-formats.md), provenance as attributes of the root. Written to a
+  /// temporary name, then renamed. Reading throws InputError that names file and dataset.
   void                   write_plane_flows(const std::filesystem::path &file, const std::vector<PlaneFlow> &flows,
                                            const Provenance &provenance);
   std::vector<PlaneFlow> read_plane_flows(const std::filesystem::path &file);

@@ -223,7 +223,7 @@ namespace swimtwin
         continue;
       if (reading_with_unit(name) || !unit_factor(unit, unit))
         return *this;
-      table.header_[column] = name + "_" + std::string(without_brackets(unit));
+      table.header_[column] = name_in_unit(name, unit);
     }
     if (table.header_ == header_)
       return *this;

@@ -1,5 +1,6 @@
 #include <fom/run/flow_in_plane.h>
 
+#include <datasets/surface/closed_surface.h>
 #include <fom/geometry/cell_search.h>
 
 #include <algorithm>
@@ -41,13 +42,12 @@ namespace swimtwin
     void cut_face(const FaceNodes<3> &face, const std::vector<Point<3>> &x, const bool is_tail,
                   std::vector<Chord> &chords)
     {
-      constexpr int part[4][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}};
-      for (const auto &corners : part)
+      for (const auto &corners : flat_triangles({face}, true))
       {
         std::vector<Point<2>> ends;
         for (int i = 0; i < 3; ++i)
         {
-          const Point<3> &a = x[face[corners[i]]], &b = x[face[corners[(i + 1) % 3]]];
+          const Point<3> &a = x[corners[i]], &b = x[corners[(i + 1) % 3]];
           if ((a[2] > 0.) == (b[2] > 0.))
             continue;
           const double s = a[2] / (a[2] - b[2]);

@@ -92,7 +92,8 @@ namespace swimtwin
         recorder_.note(model_, grid_step);
         if (fields_ && grid_step % field_interval() == 0)
           fields_->template write<dim>(instant_of(model_), grid_step / field_interval());
-        if (is_writer_ && is_flow_instant(scene_.time, grid_step) && !model_.coupling().fluid_values().empty())
+        if (is_writer_ && options_.keeps_flow && is_flow_instant(scene_.time, grid_step) &&
+            !model_.coupling().fluid_values().empty())
           flows_.push_back(flow_in_plane(model_));
       }
 

@@ -25,7 +25,8 @@ namespace swimtwin
   {
     std::filesystem::path                           folder; ///< exists; nothing is written elsewhere
     std::string                                     command_line;
-    bool                                            resume = false; ///< go on from checkpoint.h5, if there is one
+    bool                                            resume     = false; ///< go on from checkpoint.h5, if there is one
+    bool                                            keeps_flow = true;  ///< for flow.h5
     std::function<void(const SimulationProgress &)> on_progress;
   };
 
@@ -37,9 +38,9 @@ namespace swimtwin
     std::vector<PlaneFlow> flows;     ///< of rank 0; empty without a fluid
   };
 
-  /// Run a scene and write trajectory.csv, summary.json, snapshots.h5 (with a tail), flow.h5 (with a fluid) and, when
-  /// the scene asks, fields/. Results take their names when the run is complete; until then only checkpoint.h5 grows.
-  /// If the computation fails, summary.json says why, the checkpoint stays, and the ComputationError is passed on.
-  /// Collective.
+  /// Run a scene and write trajectory.csv, summary.json, snapshots.h5 (with a tail), flow.h5 (with a fluid, if kept)
+  /// and, when the scene asks, fields/. Results take their names when the run is complete; until then only
+  /// checkpoint.h5 grows. If the computation fails, summary.json says why, the checkpoint stays, and the
+  /// ComputationError is passed on. Collective.
   SimulationResult simulate(const Scene &scene, const SimulationOptions &options, MPI_Comm communicator);
 } // namespace swimtwin

@@ -1,5 +1,6 @@
 #include <reports/run/spatial_view.h>
 
+#include <datasets/surface/closed_surface.h>
 #include <datasets/surface/elastic_part.h>
 #include <reports/page/shown_units.h>
 #include <reports/run/run_scripts.h>
@@ -30,30 +31,28 @@ namespace swimtwin
     };
 
     /// Each quadratic face on the boundary as four plane triangles.
-    std::vector<std::array<int, 3>> boundary_triangles(const Eigen::MatrixXi &cells)
+    std::vector<std::array<unsigned int, 3>> boundary_triangles(const Eigen::MatrixXi &cells)
     {
       constexpr int face[4][6] = {
           {0, 2, 1, 6, 5, 4}, {0, 1, 3, 4, 8, 7}, {0, 3, 2, 7, 9, 6}, {1, 2, 3, 5, 9, 8}}; // seen from outside
-      constexpr int part[4][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}};
-      std::map<std::array<int, 3>, std::pair<int, std::array<int, 6>>> faces;
+      std::map<std::array<unsigned int, 3>, std::pair<int, SurfaceFace>> faces;
       for (Eigen::Index cell = 0; cell < cells.rows(); ++cell)
         for (const auto &corners : face)
         {
-          std::array<int, 6> nodes;
+          SurfaceFace nodes;
           for (int i = 0; i < 6; ++i)
-            nodes[i] = cells(cell, corners[i]);
-          std::array<int, 3> key{nodes[0], nodes[1], nodes[2]};
+            nodes[i] = static_cast<unsigned int>(cells(cell, corners[i]));
+          std::array<unsigned int, 3> key{nodes[0], nodes[1], nodes[2]};
           std::sort(key.begin(), key.end());
           auto &[n_owners, kept] = faces[key];
           ++n_owners;
           kept = nodes;
         }
-      std::vector<std::array<int, 3>> triangles;
+      std::vector<SurfaceFace> boundary;
       for (const auto &[key, owned] : faces)
         if (const auto &[n_owners, nodes] = owned; n_owners == 1)
-          for (const auto &corners : part)
-            triangles.push_back({nodes[corners[0]], nodes[corners[1]], nodes[corners[2]]});
-      return triangles;
+          boundary.push_back(nodes);
+      return flat_triangles(boundary, true);
     }
 
     struct PoseInSpace
@@ -90,7 +89,7 @@ namespace swimtwin
       for (const auto &triangle : boundary_triangles(set.tail_cells))
       {
         Polygon &polygon = surface.emplace_back();
-        for (const int node : triangle)
+        for (const unsigned int node : triangle)
         {
           const PointInSpace at_rest = set.tail_nodes_m.row(node).transpose();
           const PointInSpace moved   = set.tail_displacement_m.row(row).segment<3>(3 * node).transpose();

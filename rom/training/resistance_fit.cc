@@ -91,7 +91,7 @@ namespace swimtwin
     {
       table_.weight                      = below(before.weight, Eigen::VectorXd(times * more.weight));
       const Eigen::MatrixXd coefficients = fit_restrained(resistance_.exponents, table_, guide_, restraint_);
-      if (!is_sound(coefficients) && times > 1.)
+      if (times > 1. && !(condition_beyond(coefficients) <= bound_))
         continue;
       resistance_.coefficients = coefficients;
       break;
@@ -101,9 +101,10 @@ namespace swimtwin
     find_covariance();
   }
 
-  bool ResistanceFit::is_sound(const Eigen::MatrixXd &coefficients) const
+  /// The largest.
+  double ResistanceFit::condition_beyond(const Eigen::MatrixXd &coefficients) const
   {
-    return largest_condition(design(resistance_.exponents, beyond_) * coefficients, table_.n) <= bound_;
+    return largest_condition(design(resistance_.exponents, beyond_) * coefficients, table_.n);
   }
 
   void ResistanceFit::find_covariance()
@@ -162,8 +163,7 @@ namespace swimtwin
       restraint_               = candidate.restraint;
       resistance_.exponents    = sets[candidate.set];
       resistance_.coefficients = fit_restrained(resistance_.exponents, table_, guide_, restraint_);
-      return largest_condition(design(resistance_.exponents, beyond_) * resistance_.coefficients, table_.n) <=
-             condition;
+      return condition_beyond(resistance_.coefficients) <= condition;
     };
     const auto fit_best_within = [&](const double condition) {
       std::sort(candidates.begin(), candidates.end(),

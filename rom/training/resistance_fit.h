@@ -56,7 +56,7 @@ namespace swimtwin
     SampleTable table_of(const std::vector<ResistanceSample> &samples) const;
     void        fit_halves();
     void        find_covariance();
-    bool        is_sound(const Eigen::MatrixXd &coefficients) const;
+    double      condition_beyond(const Eigen::MatrixXd &coefficients) const;
 
     SampledRegion                region_;
     SampleTable                  table_;

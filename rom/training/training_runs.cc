@@ -89,6 +89,7 @@ namespace swimtwin
         simulation.folder       = folders.back();
         simulation.command_line = options.command_line;
         simulation.resume       = true;
+        simulation.keeps_flow   = false;
         simulate(member, simulation, MPI_COMM_SELF);
       }
       if (options.on_progress)
