@@ -70,7 +70,10 @@ namespace swimtwin
 
   void GnuplotTable::begin_block(const std::string_view columns)
   {
+    if (!has_rows_)
+      text_ += undrawn_row;
     text_ += fmt::format("{}# {}\n", text_.empty() ? "" : "\n\n", columns);
+    has_rows_ = false;
   }
 
   void GnuplotTable::add_row(const std::vector<double> &values)
@@ -82,6 +85,7 @@ namespace swimtwin
       separator = " ";
     }
     text_ += '\n';
+    has_rows_ = true;
   }
 
   void GnuplotPicture::set(const std::string &variable, const double value)

@@ -11,7 +11,8 @@
 
 namespace swimtwin
 {
-  /// Blocks of numbers as gnuplot's `index` counts them, each under a comment that names its columns.
+  /// Blocks of numbers as gnuplot's `index` counts them, each under a comment that names its columns. It would pass
+  /// over one without rows, which has a row that is not drawn.
   class GnuplotTable
   {
   public:
@@ -20,10 +21,13 @@ namespace swimtwin
     /// The rows since the last one are the corners of a polygon.
     void end_polygon() { text_ += '\n'; }
 
-    const std::string &text() const { return text_; }
+    std::string text() const { return has_rows_ ? text_ : text_ + undrawn_row; }
 
   private:
+    static constexpr const char *undrawn_row = "NaN NaN NaN NaN\n";
+
     std::string text_;
+    bool        has_rows_ = true; ///< the last block
   };
 
   /// One picture `name`.png. The script finds the variables assigned and the style loaded before its first line, and

@@ -1,6 +1,5 @@
 #include <reports/run/flow_picture.h>
 
-#include <reports/page/picture_extent.h>
 #include <reports/page/shown_units.h>
 #include <reports/run/run_scripts.h>
 #include <reports/run/shown_instants.h>
@@ -35,7 +34,7 @@ namespace swimtwin
       return static_cast<SampledPart>(flow.part[sample]);
     }
 
-    void add_samples(const PlaneFlow &flow, GnuplotTable &table, PictureExtent &extent)
+    void add_samples(const PlaneFlow &flow, GnuplotTable &table)
     {
       table.begin_block("samples: x (mm), y (mm), speed of fluid and swimmer (mm/s)");
       Eigen::Index sample = 0;
@@ -47,8 +46,6 @@ namespace swimtwin
               {mm * x, mm * y, is_nothing ? std::numeric_limits<double>::quiet_NaN() : speed_mm_s(flow, sample)});
           ++sample;
         }
-      extent.add({mm * flow.x_m.front(), mm * flow.y_m.front()});
-      extent.add({mm * flow.x_m.back(), mm * flow.y_m.back()});
     }
 
     /// All of one length, where the fluid moves.
@@ -92,17 +89,27 @@ namespace swimtwin
         make_picture(run, "flow_in_plane", gnuplot_scripts::flow_in_plane, "Flow in the plane of motion",
                      fmt::format("speed (colour) and direction (arrows) {}, up to {:.3g} mm/s",
                                  periodic ? "in the last full period" : "in the run", largest_mm_s));
-    PictureExtent extent;
-    std::string   instants;
+    double      width_mm = 0., height_mm = 0.;
+    std::string instants, middles_x, middles_y;
+    const auto  add_word = [](std::string &words, const double value) {
+      words += fmt::format("{}{:.4g}", words.empty() ? "" : " ", value);
+    };
     for (const PlaneFlow &flow : run.flows)
     {
-      add_samples(flow, picture.table, extent);
+      add_samples(flow, picture.table);
       add_arrows(flow, largest_mm_s, picture.table);
       add_chords(flow.tail_outline_m, "tail", picture.table);
       add_chords(flow.head_outline_m, "head", picture.table);
-      instants += fmt::format("{}{:.4g}", instants.empty() ? "" : " ", shown_time(run, flow.time_s));
+      width_mm  = std::max(width_mm, mm * (flow.x_m.back() - flow.x_m.front()));
+      height_mm = std::max(height_mm, mm * (flow.y_m.back() - flow.y_m.front()));
+      add_word(instants, shown_time(run, flow.time_s));
+      add_word(middles_x, .5 * mm * (flow.x_m.back() + flow.x_m.front()));
+      add_word(middles_y, .5 * mm * (flow.y_m.back() + flow.y_m.front()));
     }
-    extent.set_in(picture);
+    picture.set("width", width_mm);
+    picture.set("height", height_mm);
+    picture.set_text("middles_x", middles_x);
+    picture.set_text("middles_y", middles_y);
     picture.set_text("instants", instants);
     picture.set_text("instant_unit", periodic ? "periods" : "s");
     picture.set("speed_max", largest_mm_s);

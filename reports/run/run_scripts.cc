@@ -191,9 +191,11 @@ do for [k=1:n] {
   top = 0.83 - 0.4*line; bottom = n_lines > 1 ? top - 0.315 : 0.12
   eval(panel)
   unset key
+  x_min = word(middles_x, k) - 0.5*width; x_max = x_min + width # all panels in one scale, each around the body
+  y_min = word(middles_y, k) - 0.5*height; y_max = y_min + height
   eval(one_scale)
-  set xtics spacing(x_max - x_min)
-  set ytics 2*spacing(y_max - y_min)
+  set xtics spacing(2*half*w)
+  set ytics 2*spacing(2*half*h)
   set xlabel (k > n - n_columns ? 'x (mm)' : '')
   set ylabel (column == 0 ? 'y (mm)' : '')
   set label 5 word(instants, k).' '.instant_unit at screen left, screen top + 0.022 left font ',17' tc rgb text_color

@@ -28,6 +28,16 @@ namespace swimtwin
     EXPECT_EQ(example_picture("").table.text(), "# x, y\n0 1\n1 -0.0025\n\n\n# x, y\n2 3\n");
   }
 
+  TEST(GnuplotTable, ABlockWithoutRowsIsCounted)
+  {
+    GnuplotTable table;
+    table.begin_block("a");
+    table.begin_block("b");
+    table.add_row({1., 2.});
+    table.begin_block("c");
+    EXPECT_EQ(table.text(), "# a\nNaN NaN NaN NaN\n\n\n# b\n1 2\n\n\n# c\nNaN NaN NaN NaN\n");
+  }
+
   TEST(GnuplotPicture, TextIsShownAsItIs)
   {
     EXPECT_EQ(example_picture("").variables.front().second, R"('what''s b\_y\^2 \{in\} mT?')");
