@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -119,18 +120,20 @@ namespace swimtwin
                         std::asin(least) * 180. / std::numbers::pi));
     }
 
-    /// A round tip that is finer is not filled with tetrahedra, however fine they are.
-    void check_pointed_tip(const TomlDocument &document, const Tail &tail)
+    /// In space elements are as small as the tail is thin.
+    void check_thinnest(const TomlDocument &document, const Tail &tail)
     {
-      constexpr double least = 1. / 450; // of the length; 1/500 was meshed, 1/620 was not
-      if (tail.section != TailSection::circular || tail.tip_height_m >= least * tail.length_m)
+      constexpr double least  = 1e-4; // of the length
+      double           radius = .5 * std::min(tail.root_height_m, tail.tip_height_m);
+      for (const auto &[x, half_height] : tail.profile_m)
+        radius = std::min(radius, half_height);
+      if (radius >= least * tail.length_m)
         return;
       const bool is_straight = tail.profile_m.empty();
       document.refuse("tail", is_straight ? "tip_height_m" : "profile_m",
-                      fmt::format("{} too pointed to be meshed in space; a tip {:.2g} m thick or more is needed, a "
-                                  "450th of the tail's length: blunt it.",
-                                  is_straight ? "m is" : fmt::format("ends {:.3g} m thick,", tail.tip_height_m),
-                                  least * tail.length_m));
+                      fmt::format("{}is {:.3g} m thick where it is thinnest, too thin for elements of a tail of {:.3g} "
+                                  "m; at least {:.2g} m are needed: blunt it.",
+                                  is_straight ? "m " : "", 2. * radius, tail.length_m, 2. * least * tail.length_m));
     }
 
     void check_root_and_tip(const TomlDocument &document, const Head &head, const Tail &tail)
@@ -169,10 +172,9 @@ namespace swimtwin
   void check_tail(const TomlDocument &document, const Scene &scene)
   {
     check_root_and_tip(document, scene.head, *scene.tail);
-    if (scene.dimension == 3)
-    {
-      check_wedge(document, scene.head, *scene.tail);
-      check_pointed_tip(document, *scene.tail);
-    }
+    if (scene.dimension != 3)
+      return;
+    check_wedge(document, scene.head, *scene.tail);
+    check_thinnest(document, *scene.tail);
   }
 } // namespace swimtwin

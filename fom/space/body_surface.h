@@ -40,5 +40,6 @@ namespace swimtwin
   void set_vertices_and_sizes(BodyMesh<3> &body);
 
   /// The two parts of the plane z = 0 inside a tail, between its axis and its trace there.
-  void add_plane_patches(TailSurface &tail, const MeridianTrace &trace, double size_m, MPI_Comm communicator);
+  void add_plane_patches(TailSurface &tail, const MeridianTrace &trace, const SpatialSizeField &size,
+                         MPI_Comm communicator);
 } // namespace swimtwin

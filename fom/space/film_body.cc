@@ -159,9 +159,9 @@ namespace swimtwin
 
     body.tail.emplace();
     film.add_to(*body.tail);
-    body.tail->axis = divided_edge({above[0], 0., 0.}, tail.above.back(),
-                                   [&](const Point<3> &) { return 1.5 * scene.numerics.mesh_size_m; });
-    add_plane_patches(*body.tail, tail, 1.5 * scene.numerics.mesh_size_m, communicator);
+    const SpatialSizeField size = [coarse = 1.5 * scene.numerics.mesh_size_m](const Point<3> &) { return coarse; };
+    body.tail->axis             = divided_edge({above[0], 0., 0.}, tail.above.back(), size);
+    add_plane_patches(*body.tail, tail, size, communicator);
 
     const auto side = [&](const Curve &head, const Curve &back, const Curve &around) {
       const auto root = std::find(around.begin(), around.end(), back.back());

@@ -1,3 +1,4 @@
+#include <datasets/scene/tail_outline.h>
 #include <fom/mesh/swimmer_outline.h>
 #include <fom/space/body_surface.h>
 
@@ -20,11 +21,19 @@ namespace swimtwin
       curve.insert(curve.end(), next.begin() + 1, next.end());
     }
 
-    std::vector<Point<3>> axis_between(const Point<3> &start, const Point<3> &end, const double size_m)
+    /// On the axis and around it: coarser than the surface, and not much larger than the tail is thick.
+    SpatialSizeField size_about_axis(const Scene &scene)
+    {
+      constexpr double radii = 10.;
+      return [=, tail = tail_outline(scene.head, *scene.tail), coarse = 1.5 * scene.numerics.mesh_size_m](
+                 const Point<3> &x) { return std::min(coarse, radii * tail.half_height_m(x[0])); };
+    }
+
+    std::vector<Point<3>> axis_between(const Point<3> &start, const Point<3> &end, const SpatialSizeField &size)
     {
       std::vector<Point<3>> axis;
-      for (const auto &x :
-           divide(PlanarCurve::line({start[0], 0.}, {end[0], 0.}), [&](const Point<2> &) { return size_m; }))
+      for (const auto &x : divide(PlanarCurve::line({start[0], 0.}, {end[0], 0.}),
+                                  [&](const Point<2> &xr) { return size(Point<3>(xr[0], 0., 0.)); }))
         axis.emplace_back(x[0], 0., 0.);
       axis.front() = start;
       axis.back()  = end;
@@ -32,7 +41,7 @@ namespace swimtwin
     }
 
     /// Returns the trace of the tail's sides, from the root's rim to the tip.
-    MeridianTrace add_tail(const OutlineCurves &curves, const Numerics &numerics, TailSurface &tail,
+    MeridianTrace add_tail(const OutlineCurves &curves, const SpatialSizeField &size, TailSurface &tail,
                            const MPI_Comm communicator)
     {
       Meridian root{curves.root, curves.size}, side{curves.side, curves.size};
@@ -41,21 +50,20 @@ namespace swimtwin
       const MeridianTrace sides = add_revolved(tail.surface, side, 0., first_side_patch, communicator);
       append(trace.above, sides.above);
       append(trace.below, sides.below);
-      const double size_m = 1.5 * numerics.mesh_size_m;
-      tail.axis           = axis_between(trace.above.front(), trace.above.back(), size_m);
-      add_plane_patches(tail, trace, size_m, communicator);
+      tail.axis = axis_between(trace.above.front(), trace.above.back(), size);
+      add_plane_patches(tail, trace, size, communicator);
       return sides;
     }
   } // namespace
 
-  void add_plane_patches(TailSurface &tail, const MeridianTrace &trace, const double size_m,
+  void add_plane_patches(TailSurface &tail, const MeridianTrace &trace, const SpatialSizeField &size,
                          const MPI_Comm communicator)
   {
     for (const auto *half : {&trace.above, &trace.below})
     {
       std::vector<Point<3>> loop(tail.axis.begin(), tail.axis.end() - 1);
       loop.insert(loop.end(), half->rbegin(), half->rend() - 1);
-      auto patch   = plane_patch({loop}, 2, [&](const Point<3> &) { return size_m; });
+      auto patch   = plane_patch({loop}, 2, size);
       patch.number = plane_patch_number;
       add_patch(tail.surface, patch, communicator);
     }
@@ -72,7 +80,7 @@ namespace swimtwin
     if (scene.tail)
     {
       body.tail.emplace();
-      const MeridianTrace sides = add_tail(curves, scene.numerics, *body.tail, communicator);
+      const MeridianTrace sides = add_tail(curves, size_about_axis(scene), *body.tail, communicator);
       append(body.trace.above, sides.above);
       append(body.trace.below, sides.below);
     }

@@ -139,6 +139,20 @@ namespace swimtwin
       return round_off * largest;
     }
 
+    /// Where to divide a curve off the axis whose ends have radii so far apart that charts and divisions, which take
+    /// equal steps of its parameter, do not see the thin one.
+    std::optional<double> parameter_between_radii(const PlanarCurve &curve, const double on_axis_m)
+    {
+      constexpr double far_apart = 50.;
+      const double     r0 = curve.position(0.)[1], r1 = curve.position(1.)[1];
+      if (std::min(r0, r1) <= on_axis_m || std::max(r0, r1) <= far_apart * std::min(r0, r1))
+        return {};
+      double low = 0., high = 1.;
+      for (int i = 0; i < 50; ++i)
+        ((curve.position(.5 * (low + high))[1] - std::sqrt(r0 * r1)) * (r0 - r1) > 0. ? low : high) = .5 * (low + high);
+      return low;
+    }
+
     /// A piece of a meridian as it was divided.
     struct DividedCurve
     {
@@ -182,6 +196,11 @@ namespace swimtwin
         {
           add_piece(part(curve, 0., .5), number, trace);
           return add_piece(part(curve, .5, 1.), number, trace);
+        }
+        if (const auto t = parameter_between_radii(curve, on_axis_m_))
+        {
+          add_piece(part(curve, 0., *t), number, trace);
+          return add_piece(part(curve, *t, 1.), number, trace);
         }
         const SizeField size = [this, limit = CurvatureLimit(curve, on_axis_m_)](const Point<2> &xr) {
           return std::min(meridian_.size(xr), limit(xr));

@@ -213,12 +213,8 @@ namespace swimtwin
     expect_refused({"tail.root_height_m=1.6e-3"}, "is larger than the head's height of 0.0015 m");
   }
 
-  TEST(SceneRules, InSpaceNeitherTipNorGapIsTooFineForTetrahedra)
+  TEST(SceneRules, InSpaceNoGapIsTooFineForTetrahedra)
   {
-    expect_refused(in_space + Overrides{"tail.tip_height_m=1.2e-5"},
-                   "too pointed to be meshed in space; a tip 1.7e-05 m");
-    expect_accepted(swimmer_toml, in_space + Overrides{"tail.tip_height_m=2e-5"});
-    expect_accepted(swimmer_toml, {"tail.tip_height_m=1.2e-5"});
     expect_refused(in_space + Overrides{"domain.size_m=[40e-3, 1.502e-3, 20e-3]"},
                    "leaves 1e-06 m between the swimmer and the");
     expect_accepted(swimmer_toml, {"domain.size_m=[40e-3, 1.502e-3]"});
@@ -368,6 +364,19 @@ namespace swimtwin
     expect_refused(profile("[[0.0, 0.6e-3], [0.4e-3, 0.1e-3], [2e-3, 0.1e-3]]") +
                        Overrides{"head={shape=\"disc\", diameter_m=1.5e-3, density_kg_m3=7000.0}"},
                    "cut into the head's curve");
+  }
+
+  TEST(SceneRules, ATailInSpaceIsAsThickAsItsElements)
+  {
+    const auto tip = [](const std::string &height) { return in_space + Overrides{"tail.tip_height_m=" + height}; };
+    expect_accepted(swimmer_toml, tip("1.6e-6"));
+    expect_refused(tip("1.4e-6"), "[tail] tip_height_m = 1.4e-06 m is 1.4e-06 m thick where it is thinnest, too thin "
+                                  "for elements of a tail of 0.0075 m; at least 1.5e-06 m are needed: blunt it.");
+    expect_accepted(swimmer_toml, {"tail.tip_height_m=1.4e-6"});
+    expect_refused(in_space +
+                       Overrides{"tail={profile_m=[[0.0, 0.3e-3], [3e-3, 0.4e-6], [6e-3, 0.2e-3]], law=\"rigid\", "
+                                 "density_kg_m3=1300.0}"},
+                   "is 8e-07 m thick where it is thinnest");
   }
 
   TEST(SceneRules, ATailInSpaceLeavesARoundHeadAtAnAngle)

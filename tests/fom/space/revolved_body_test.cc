@@ -108,6 +108,17 @@ namespace swimtwin
       expect_sound(*meshes);
   }
 
+  // A hundredth and a three-hundredth of the mesh size: gmsh ended the process over a plane within the tail that was
+  // too coarse for its tip.
+  TEST(RevolvedBody, IsMeshedToATipThatIsMuchThinnerThanItsMesh)
+  {
+    expect_sound(meshes_of(shipped_scene(
+        "vessel-3d", {"variant=quick", "tail.profile_m=[[0.0, 0.35e-3], [1.0e-3, 0.3e-3], [2.5e-3, 0.4e-3], "
+                                       "[5.0e-3, 0.25e-3], [7.0e-3, 3e-6]]"})));
+    expect_sound(meshes_of(
+        shipped_scene("reference-3d-casefile", {"variant=quick", "tail.tip=flat", "tail.tip_height_m=2e-6"})));
+  }
+
   TEST(RevolvedBody, HasThePointsOfItsProfile)
   {
     const Scene      scene = shipped_scene("vessel-3d", {"variant=quick"});
