@@ -74,7 +74,7 @@ namespace swimtwin
       if (const double extent = std::max({x, y, z}) / scene.body_length_m(); extent > longest)
         document.refuse("domain", "",
                         fmt::format("is {:.3g} body lengths long; at most {:.0e} are possible.", extent, longest));
-      if (const double n = in_space ? expected_tetrahedra(scene) : expected_triangles(scene); !(n <= n_most))
+      if (const double n = expected_cells(scene); !(n <= n_most))
         document.refuse("numerics",
                         document.find("numerics.mesh_size_far_m") != nullptr ? "mesh_size_far_m" : "mesh_size_m",
                         fmt::format("m would make a mesh of about {:.1g} {}; at most {:.0e} are possible: "
@@ -82,6 +82,13 @@ namespace swimtwin
                                     n, in_space ? "tetrahedra" : "triangles", n_most));
     }
   } // namespace
+
+  double expected_cells(const Scene &scene)
+  {
+    if (!scene.domain)
+      return 0.;
+    return scene.dimension == 3 ? expected_tetrahedra(scene) : expected_triangles(scene);
+  }
 
   void check_mesh(const TomlDocument &document, const Scene &scene)
   {

@@ -1,17 +1,18 @@
 #include <fom/body/finer_mesh.h>
 
+#include <datasets/scene/mesh_rules.h>
 #include <fom/mesh/inverted_element.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 
 namespace swimtwin
 {
   namespace
   {
-    constexpr int n_halvings = 6;
+    constexpr int    n_halvings        = 6;
+    constexpr double most_cells_to_try = 5e4; ///< in space; one mesh of them takes some ten seconds
 
     Scene with_mesh_size(Scene scene, const double size_m)
     {
@@ -36,13 +37,25 @@ namespace swimtwin
       }
     }
 
-    std::optional<double> largest_good_size(const Scene &scene, const std::function<bool(const Scene &)> &is_meshed)
+    struct Trials
+    {
+      double smallest_m; ///< size that was tried
+      bool   is_good;    ///< whether it works
+    };
+
+    Trials try_smaller_sizes(const Scene &scene, const std::function<bool(const Scene &)> &is_meshed)
     {
       double size = scene.numerics.mesh_size_m;
       for (int k = 0; k < n_halvings; ++k)
-        if (size /= 2.; is_good(with_mesh_size(scene, size), is_meshed))
-          return size;
-      return std::nullopt;
+      {
+        const Scene finer = with_mesh_size(scene, size / 2.);
+        if (scene.dimension == 3 && expected_cells(finer) > most_cells_to_try)
+          break;
+        size /= 2.;
+        if (is_good(finer, is_meshed))
+          return {size, true};
+      }
+      return {size, false};
     }
 
     std::string settings(const Scene &scene, const double size_m)
@@ -55,17 +68,18 @@ namespace swimtwin
   } // namespace
 
   void refuse_mesh_size(const Scene &scene, const ComputationError &error,
-                        const std::function<bool(const Scene &)> &is_meshed)
+                        const std::function<bool(const Scene &)> &is_meshed, const std::string &gap)
   {
-    const double      size = scene.numerics.mesh_size_m;
-    const std::string refused =
-        fmt::format("{}: [numerics] mesh_size_m = {} m is too coarse: {}", scene.name, size, error.what());
-    if (const auto good = largest_good_size(scene, is_meshed))
-      throw InputError(fmt::format("{}; set {} (tried)", refused, settings(scene, *good)));
-    if (dynamic_cast<const InvertedElement *>(&error) == nullptr)
+    const std::string refused  = fmt::format("{}: [numerics] mesh_size_m = {} m is too coarse: {}", scene.name,
+                                             scene.numerics.mesh_size_m, error.what());
+    const auto [size, is_good] = try_smaller_sizes(scene, is_meshed);
+    if (is_good)
+      throw InputError(fmt::format("{}; set {} (tried)", refused, settings(scene, size)));
+    if (gap.empty() && dynamic_cast<const InvertedElement *>(&error) == nullptr)
       throw ComputationError(error);
-    throw InputError(fmt::format("{}; no size down to {:.2g} m does (tried): widen the gap there, blunt the corner, or "
-                                 "lower mesh_growth and mesh_size_far_m",
-                                 refused, size / (1 << n_halvings)));
+    throw InputError(
+        fmt::format("{}; no size down to {:.2g} m does (tried): {}, blunt the corner, or lower mesh_growth "
+                    "and mesh_size_far_m",
+                    refused, size, gap.empty() ? "widen the gap there" : "widen " + gap));
   }
 } // namespace swimtwin

@@ -1,6 +1,7 @@
 #include <fom/body/mesh_around.h>
 
 #include <datasets/scene/mirror_plane.h>
+#include <datasets/scene/swimmer_clearance.h>
 #include <datasets/surface/closed_surface.h>
 #include <fom/body/finer_mesh.h>
 #include <fom/mesh/inverted_element.h>
@@ -77,6 +78,17 @@ namespace swimtwin
                                                              scene.numerics.mesh_size_m));
     }
 
+    /// A few words on a gap beside the swimmer that is narrower than its elements are long, empty if there is none.
+    std::string narrow_gap(const Scene &scene)
+    {
+      if (!scene.domain)
+        return {};
+      const auto [wall, gap_m] = swimmer_clearance(scene);
+      if (gap_m > scene.numerics.mesh_size_m)
+        return {};
+      return fmt::format("the gap of {:.2g} m to the {} wall", gap_m, wall);
+    }
+
     [[noreturn]] void refuse_surfaces(const Scene &scene, const ComputationError &error)
     {
       std::vector<std::string> files;
@@ -103,11 +115,14 @@ namespace swimtwin
           say_remedy(error, swimmer.scene());
         if (swimmer.scene().has_surfaces())
           refuse_surfaces(swimmer.scene(), error);
-        refuse_mesh_size(swimmer.scene(), error, [&](const Scene &finer) {
-          const Swimmer<dim>   body(finer, communicator);
-          const FluidMesh<dim> mesh = make_mesh(body, body.configuration_at_rest(), by_halves, communicator);
-          return worst_quality<dim>(mesh.mesh, mesh.mesh.nodes) >= finer.numerics.remesh_quality;
-        });
+        refuse_mesh_size(
+            swimmer.scene(), error,
+            [&](const Scene &finer) {
+              const Swimmer<dim>   body(finer, communicator);
+              const FluidMesh<dim> mesh = make_mesh(body, body.configuration_at_rest(), by_halves, communicator);
+              return worst_quality<dim>(mesh.mesh, mesh.mesh.nodes) >= finer.numerics.remesh_quality;
+            },
+            narrow_gap(swimmer.scene()));
       }
     }
   } // namespace

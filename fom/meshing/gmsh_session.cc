@@ -40,13 +40,9 @@ namespace swimtwin
       std::optional<std::string> home_;
     };
 
-    /// Stopped with the process.
     class GmshSession
     {
     public:
-      static void start() { static GmshSession session; }
-
-    private:
       GmshSession()
       {
         const WithoutHome nobody;
@@ -59,8 +55,17 @@ namespace swimtwin
         gmsh::option::setNumber("Mesh.MeshSizeMin", 0.);
         gmsh::option::setNumber("Mesh.Smoothing", 3);
       }
+      GmshSession(const GmshSession &)            = delete;
+      GmshSession &operator=(const GmshSession &) = delete;
       ~GmshSession() { gmsh::finalize(); }
     };
+
+    /// Stopped with the process.
+    std::optional<GmshSession> &gmsh_session()
+    {
+      static std::optional<GmshSession> session;
+      return session;
+    }
 
     template <typename T>
     void broadcast(std::vector<T> &values, const MPI_Comm communicator)
@@ -93,6 +98,7 @@ namespace swimtwin
       {
         message = "gmsh error " + std::to_string(number);
       }
+      gmsh_session().reset(); // what is thrown out of gmsh leaves it locked: the next mesh would be empty
       return {{}, message};
     }
 
@@ -109,7 +115,8 @@ namespace swimtwin
 
   void begin_gmsh_model()
   {
-    GmshSession::start();
+    if (!gmsh_session())
+      gmsh_session().emplace();
     std::srand(1); // gmsh perturbs points with rand(): the same region must give the same mesh
     gmsh::clear();
     gmsh::model::add("region");

@@ -4,6 +4,7 @@
 #include <datasets/scene/inertia_terms.h>
 #include <datasets/scene/mirror_plane.h>
 #include <datasets/scene/scene_surfaces.h>
+#include <datasets/scene/swimmer_clearance.h>
 #include <datasets/surface/closed_surface.h>
 #include <fom/algebra/linear_system.h>
 #include <fom/algebra/solver_memory.h>
@@ -260,6 +261,23 @@ namespace swimtwin
       else
         plan.solved.push_back({"both halves", "no mirror plane: " + plane.missing});
     }
+
+    /// How near the walls are; in space also what that means for the mesh, which is no finer in a gap.
+    void plan_gap(const Scene &scene, RunPlan &plan)
+    {
+      constexpr double narrow = 0.25;
+      if (!scene.domain)
+        return;
+      const auto [wall, gap_m] = swimmer_clearance(scene);
+      plan.numbers.push_back({"nearest wall", fmt::format("{}, {:.3g} m away", wall, gap_m)});
+      if (scene.dimension == 3 && gap_m < narrow * scene.numerics.mesh_size_m)
+        plan.warnings.push_back(
+            fmt::format("the gap of {:.2g} m to the {} wall is {:.2g} times narrower than elements beside it are long: "
+                        "the flow in it is coarse; {}, or widen the gap",
+                        gap_m, wall, scene.numerics.mesh_size_m / gap_m,
+                        scene.head.surface ? "mesh the surface finer" : "lower [numerics] mesh_size_m"));
+    }
+
     void plan_surface(const std::string &whose, const ClosedSurface &surface, RunPlan &plan)
     {
       const TriangleSizes sizes = triangle_sizes(surface);
@@ -337,6 +355,7 @@ namespace swimtwin
     plan_body(scene, plan);
     plan_mesh(scene, plan);
     plan_symmetry(scene, plan);
+    plan_gap(scene, plan);
     plan_surfaces(scene, plan);
     if (scene.output.fields_per_period == 0)
       plan.skipped.push_back({"field output", "[output] fields_per_period = 0"});

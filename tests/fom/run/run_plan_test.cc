@@ -64,6 +64,20 @@ namespace swimtwin
     expect_in(warnings("1e-4", "400"), "the Reynolds number of a cell is up to ");
   }
 
+  TEST(RunPlan, SaysHowNearTheWallsAre)
+  {
+    const auto plan = [](const std::string &center_m) {
+      return plan_run(shipped_scene("vessel-3d", {"variant=quick", "head.center_m=[0.0, " + center_m + "]"}),
+                      MPI_COMM_WORLD);
+    };
+    const RunPlan far = plan("0.0"), near = plan("2.35e-3");
+    EXPECT_EQ(why(far.numbers, "nearest wall"), "outer, 0.0024 m away");
+    EXPECT_EQ(why(near.numbers, "nearest wall"), "outer, 5e-05 m away");
+    EXPECT_TRUE(far.warnings.empty());
+    ASSERT_FALSE(near.warnings.empty());
+    expect_in(near.warnings.front(), "the gap of 5e-05 m to the outer wall is 8 times narrower than elements beside");
+  }
+
   TEST(RunPlan, WarnsOfASymmetricMotionThatMayBeUnstable)
   {
     const std::vector<std::string> compressed = {on_axis, "gravity.acceleration_m_s2=[9.81, 0.0]"};

@@ -1,6 +1,8 @@
 // Meshes of bodies of revolution and of the fluid around them: what differs in size, slenderness and profile.
 #include <datasets/scene/tail_outline.h>
+#include <datasets/system/error.h>
 #include <fom/body/mesh_around.h>
+#include <tests/datasets/temporary_folder.h>
 #include <tests/fom/shipped_scene.h>
 
 #include <gtest/gtest.h>
@@ -135,6 +137,27 @@ namespace swimtwin
         ++n_on_side;
       }
     EXPECT_GT(n_on_side, 100);
+  }
+
+  // Five micrometres beside a head, gmsh finds that the wall's flat triangles cut it; 20, that elements are inside
+  // out, and smaller ones were tried until they were endlessly many. What gmsh throws leaves it locked: the second body
+  // would not be meshed if it were not started anew.
+  TEST(FluidInSpace, IsRefusedWithTheGapThatIsTooNarrowForIt)
+  {
+    for (const auto &[radius_m, gap] : {std::pair("0.605e-3", "5e-06 m"), std::pair("0.62e-3", "2e-05 m")})
+    {
+      const Scene scene = shipped_scene("vessel-3d", {"variant=quick", std::string("domain.radius_m=") + radius_m});
+      expect_in(message_of<InputError>([&] { meshes_of(scene); }),
+                "does (tried): widen the gap of " + std::string(gap) + " to the outer wall");
+    }
+  }
+
+  TEST(FluidInSpace, FillsAGapOfASixtiethOfTheMeshSize)
+  {
+    const auto meshes =
+        meshes_of(shipped_scene("reference-3d-casefile", {"variant=quick", "domain.size_m=[40e-3, 10.76e-3, 20e-3]",
+                                                          "domain.center_m=[0.0, 4.62e-3]"}));
+    expect_sound(meshes);
   }
 
   TEST(FilmBody, FillsABoxBehindACylinder)
