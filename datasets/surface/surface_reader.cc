@@ -68,6 +68,30 @@ namespace swimtwin
                          n);
     }
 
+    /// Tetrahedra on slivers are slivers; gmsh seeks better ones without end.
+    std::optional<std::string> slivers(const SurfaceSoup &soup)
+    {
+      constexpr double least = 0.005;
+      std::size_t      n     = 0;
+      double           worst = 1.;
+      Vector3d         at    = Vector3d::Zero();
+      for (const auto &face : soup.faces)
+      {
+        const double quality = triangle_quality(soup.points[face[0]], soup.points[face[1]], soup.points[face[2]]);
+        n += quality < least;
+        if (quality < worst)
+        {
+          worst = quality;
+          at    = soup.points[face[0]];
+        }
+      }
+      if (n == 0)
+        return std::nullopt;
+      return fmt::format("{} of its {} triangles {} thinner than a mesh can be made of: quality {:.2g} (1: equilateral) "
+                         "at {}, at least {} is needed; remesh the surface (MeshLab: Isotropic Explicit Remeshing)",
+                         n, soup.faces.size(), n == 1 ? "is" : "are", worst, coordinates(at), least);
+    }
+
     struct Parts
     {
       std::vector<std::vector<SurfaceFace>> faces;
@@ -152,6 +176,8 @@ namespace swimtwin
           fmt::format("it has {} triangles, at most {} are possible; simplify it", soup.faces.size(), n_faces_at_most));
     merge_points(soup);
     if (const auto flaw = flaw_in(soup))
+      refuse(*flaw);
+    if (const auto flaw = slivers(soup))
       refuse(*flaw);
     if (const auto flaw = soup.is_curved ? middles_that_differ(soup) : std::nullopt)
       refuse(*flaw);

@@ -133,6 +133,16 @@ namespace swimtwin
     expect_refused("s.msh", msh_text(pierced), "it goes through itself: ");
   }
 
+  TEST(SurfaceReader, RefusesSliversThatNoMeshCanBeMadeOf)
+  {
+    // Right triangles with legs in a ratio of n: of quality sqrt(3) n / (n^2 + 1).
+    const auto needle = [](const double n) { return example_box({n, 1., 1.}); };
+    EXPECT_NO_THROW(read("box.stl", stl_text(needle(340.))));
+    expect_refused(needle(1000.), "8 of its 12 triangles are thinner than a mesh can be made of: quality 0.0017 (1: "
+                                  "equilateral) at (");
+    expect_refused(needle(1000.), "at least 0.005 is needed; remesh the surface");
+  }
+
   TEST(SurfaceReader, KnowsPartsWithinOthers)
   {
     ExampleSurface nested = example_box({4., 4., 4.}, 2);
