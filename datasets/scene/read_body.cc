@@ -68,7 +68,8 @@ namespace swimtwin
     table.pair("size_m", optional("m"), head.size_m);
     table.number("diameter_m", optional("m"), diameter_m);
     declare_surface(table);
-    read_center(document, table, "head", dimension, head.center_m);
+    const auto center = read_center(table, dimension);
+    head.center_m     = {center[0], center[1]};
     table.number("angle_rad", optional("rad", any_number), head.angle_rad);
     table.number("density_kg_m3", optional("kg/m^3"), head.density_kg_m3);
     table.number("magnetization_A_m", optional("A/m", any_number), head.magnetization_A_m);
@@ -78,6 +79,10 @@ namespace swimtwin
     read_choice(table, "motion", head.motion);
     table.table("oscillation");
     table.finish();
+    if (center[2] != 0.)
+      document.refuse("head", "center_m",
+                      "is off the plane z = 0, in which heads start; leave out the third number, and move walls that "
+                      "are read from a surface the other way, by [domain] center_m = [x, y, z].");
     if (head.shape == HeadShape::disc)
       head.size_m = {diameter_m, diameter_m};
     head.oscillation    = read_oscillation(document);

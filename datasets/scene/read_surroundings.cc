@@ -68,19 +68,19 @@ namespace swimtwin
     }
   } // namespace
 
-  void read_center(const TomlDocument &document, TomlTable &table, const std::string &name, const int dimension,
-                   std::array<double, 2> &center_m)
+  std::array<double, 3> read_center(TomlTable &table, const int dimension)
   {
-    const NumberRule rule = optional("m", any_number);
-    if (dimension != 3 || table.array_size("center_m") != 3)
-      return table.pair("center_m", rule, center_m);
+    const NumberRule      rule = optional("m", any_number);
     std::array<double, 3> center{};
-    table.triple("center_m", rule, center);
-    if (center[2] != 0.)
-      document.refuse(name, "center_m",
-                      "leaves the plane z = 0, in which head and domain are centred; give [x, y], and turn the scene "
-                      "about x so that they are apart along y, or shift the file of a surface.");
-    center_m = {center[0], center[1]};
+    if (dimension == 3 && table.array_size("center_m") == 3)
+      table.triple("center_m", rule, center);
+    else
+    {
+      std::array<double, 2> in_plane{};
+      table.pair("center_m", rule, in_plane);
+      center = {in_plane[0], in_plane[1], 0.};
+    }
+    return center;
   }
 
   std::optional<FluidProperties> read_fluid(const TomlDocument &document)
@@ -116,7 +116,9 @@ namespace swimtwin
       table.choice("shape", Need::required, domain_shapes_in_space, domain.shape);
     else
       table.choice("shape", Need::required, domain_shapes_in_plane, domain.shape);
-    read_center(document, table, "domain", dimension, domain.center_m);
+    const auto center = read_center(table, dimension);
+    domain.center_m   = {center[0], center[1]};
+    domain.center_z_m = center[2];
     if (dimension == 3)
     {
       table.triple("size_m", optional("m"), size_m);
@@ -132,6 +134,11 @@ namespace swimtwin
     table.flag("moves_with_swimmer", domain.moves_with_swimmer);
     table.table("walls");
     table.finish();
+    if (domain.center_z_m != 0. && domain.shape != DomainShape::surface)
+      document.refuse(
+          "domain", "center_m",
+          "is off the plane z = 0, in which walls that are known by their shape are mirrored; leave out the "
+          "third number, or read the walls from a surface.");
     return table.present() ? std::optional(domain) : std::nullopt;
   }
 } // namespace swimtwin

@@ -72,6 +72,7 @@ namespace swimtwin
   {
     DomainShape           shape              = DomainShape::box;
     std::array<double, 2> center_m           = {0., 0.};
+    double                center_z_m         = 0.;       ///< of the shape `surface`
     std::array<double, 2> size_m             = {0., 0.}; ///< box and channel: lengths along x and y; cylinder: x
     double                size_z_m           = 0.;       ///< box and channel in three dimensions
     double                radius_m           = 0.;       ///< disc and annulus: outer radius; cylinder, sphere

@@ -22,9 +22,8 @@ namespace swimtwin
     table.choice(key, need, Names<Enum>::list, target);
   }
 
-  /// `center_m` of [head] or [domain]: x and y, in space also with a z that is 0.
-  void read_center(const TomlDocument &document, TomlTable &table, const std::string &name, int dimension,
-                   std::array<double, 2> &center_m);
+  /// `center_m` of [head] or [domain]: [x, y], in space also [x, y, z].
+  std::array<double, 3> read_center(TomlTable &table, int dimension);
 
   std::optional<FluidProperties> read_fluid(const TomlDocument &document);
   std::optional<Domain>          read_domain(const TomlDocument &document, int dimension);

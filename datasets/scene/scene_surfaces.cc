@@ -82,7 +82,7 @@ namespace swimtwin
     void read_walls_surface(TomlDocument &document, const std::filesystem::path &folder, Domain &domain)
     {
       ClosedSurface surface = read_surface_of(document, "domain", folder, SurfaceUse::walls);
-      shift(surface, Vector3d(domain.center_m[0], domain.center_m[1], 0.));
+      shift(surface, Vector3d(domain.center_m[0], domain.center_m[1], domain.center_z_m));
       const Vector3d size = extent(surface.nodes).size();
       domain.size_m       = {size[0], size[1]};
       domain.size_z_m     = size[2];

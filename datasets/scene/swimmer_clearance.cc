@@ -121,7 +121,8 @@ namespace swimtwin
       return distances;
     }
 
-    /// The outline itself in the plane; in space the circles that its upper half describes about the axis.
+    /// The outline itself in the plane; in space the circles that its upper half describes about the axis, half of each
+    /// where walls are mirrored in z = 0.
     std::vector<PointInSpace> surface_points(const Scene &scene)
     {
       std::vector<PointInSpace> points;
@@ -141,6 +142,8 @@ namespace swimtwin
       const double  c = std::cos(scene.head.angle_rad), s = std::sin(scene.head.angle_rad);
       const auto    add = [&](const double x, const double y, const double z) {
         points.push_back({scene.head.center_m[0] + c * x - s * y, scene.head.center_m[1] + s * x + c * y, z});
+        if (scene.domain->surface && z != 0.)
+          points.push_back({points.back()[0], points.back()[1], -z});
       };
       Scene      round   = scene;
       const bool is_film = scene.tail && scene.tail->section == TailSection::rectangular;

@@ -87,9 +87,10 @@ namespace swimtwin
       }
       if (n == 0)
         return std::nullopt;
-      return fmt::format("{} of its {} triangles {} thinner than a mesh can be made of: quality {:.2g} (1: equilateral) "
-                         "at {}, at least {} is needed; remesh the surface (MeshLab: Isotropic Explicit Remeshing)",
-                         n, soup.faces.size(), n == 1 ? "is" : "are", worst, coordinates(at), least);
+      return fmt::format(
+          "{} of its {} triangles {} thinner than a mesh can be made of: quality {:.2g} (1: equilateral) "
+          "at {}, at least {} is needed; remesh the surface (MeshLab: Isotropic Explicit Remeshing)",
+          n, soup.faces.size(), n == 1 ? "is" : "are", worst, coordinates(at), least);
     }
 
     struct Parts

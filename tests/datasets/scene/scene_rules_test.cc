@@ -306,7 +306,7 @@ namespace swimtwin
     expect_accepted(swimmer_toml, in_space + Overrides{"head.center_m=[1e-3, 2e-3, 0.0]", "domain.center_m=[0, 0, 0]"});
     for (const char *table : {"head", "domain"})
       expect_refused(in_space + Overrides{std::string(table) + ".center_m=[0.0, 0.0, 1e-3]"},
-                     std::string("[") + table + "] center_m = [0, 0, 0.001] leaves the plane z = 0");
+                     std::string("[") + table + "] center_m = [0, 0, 0.001] is off the plane z = 0");
     expect_refused({"head.center_m=[0.0, 0.0, 0.0]"}, "an array of two numbers [x, y]");
   }
 

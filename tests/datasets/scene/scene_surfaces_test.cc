@@ -202,6 +202,24 @@ steps = 2
     expect_refused(walls_toml, through, "does not contain the swimmer, which reaches");
   }
 
+  TEST_F(SceneSurfaces, WallsStandAnywhereInSpace)
+  {
+    const Scene  scene = parse(walls_toml, {"domain.center_m=[1e-3, 2e-3, 3e-3]"});
+    const Extent box   = extent(scene.domain->surface->nodes);
+    for (int c = 0; c < 3; ++c)
+    {
+      EXPECT_NEAR(box.low[c], (c - 4.) * 1e-3, 1e-15);
+      EXPECT_NEAR(box.high[c], (c + 6.) * 1e-3, 1e-15);
+    }
+    expect_in(way_out_of_plane(scene), "the walls' surface is up to 0.006 m away from its mirror image at z = 0");
+    expect_refused(walls_toml, {"domain.center_m=[0.0, 0.0, 4.5e-3]"}, "does not contain the swimmer, which reaches");
+    expect_refused(walls_toml, {"head.center_m=[0.0, 0.0, 1e-3]"},
+                   "[head] center_m = [0, 0, 0.001] is off the plane z = 0, in which heads start; leave out");
+    EXPECT_EQ(parse(body_toml, {"domain.center_m=[1e-3, 0.0, 0.0]"}).domain->center_m[0], 1e-3);
+    expect_refused(body_toml, {"domain.center_m=[0.0, 0.0, 1e-3]"},
+                   "[domain] center_m = [0, 0, 0.001] is off the plane z = 0, in which walls that are known by");
+  }
+
   TEST_F(SceneSurfaces, BodyThatIsNoMirrorImageMovesInSpace)
   {
     ExampleSurface wedge = box_;
