@@ -150,9 +150,9 @@ namespace swimtwin
   MirrorPlane find_mirror_plane(const Scene &scene)
   {
     if (scene.head.surface)
-      return {"the body is read from a surface, whose triangles need not be mirrored", {}};
+      return {"the body is read from a surface, whose triangles are not cut at z = 0", {}};
     if (scene.domain && scene.domain->surface)
-      return {"the walls are read from a surface, whose triangles need not be mirrored", {}};
+      return {"the walls are read from a surface, whose triangles are not cut at z = 0", {}};
     if (scene.dimension == 3) // z = 0: bodies of revolution in planar fields
       return {what_leaves_plane(scene), {}};
     MirrorPlane plane{why_missing(scene), {}};

@@ -11,6 +11,8 @@ namespace swimtwin
   {
     constexpr Range poisson_range{-1., 0.5, true, true, "lie between -1 and 0.5, both excluded"};
 
+    constexpr Range blunt{0., infinity, true, false, "be positive, for elements end in no point: blunt the tip"};
+
     HeadOscillation read_oscillation(const TomlDocument &document)
     {
       TomlTable       table(document, "head.oscillation");
@@ -43,11 +45,11 @@ namespace swimtwin
       if (tail.section == TailSection::rectangular)
         tail.tip = TipShape::flat;
       read_choice(table, "tip", tail.tip);
-      table.pairs("profile_m", optional("m", not_negative), tail.profile_m);
+      table.pairs("profile_m", optional("m", any_number), tail.profile_m); // its rules name the point
       const Need lengths = is_in_surface || table.has("profile_m") ? Need::optional : Need::required;
       table.number("length_m", {"m", positive, lengths}, tail.length_m);
       table.number("root_height_m", {"m", positive, lengths}, tail.root_height_m);
-      table.number("tip_height_m", {"m", positive, lengths}, tail.tip_height_m);
+      table.number("tip_height_m", {"m", blunt, lengths}, tail.tip_height_m);
       if (tail.profile_m.empty())
         return;
       const auto &[end, end_half_height] = tail.profile_m.back();

@@ -63,8 +63,9 @@ namespace swimtwin
           refuse(fmt::format("has the radius {} m at {} m; every radius must be positive: end the tail before.",
                              half_height, x));
         if (i > 0 && x <= tail.profile_m[i - 1][0])
-          refuse(fmt::format("goes from {} m to {} m; distances must grow from point to point.",
-                             tail.profile_m[i - 1][0], x));
+          refuse(fmt::format("goes from {} m to {} m; distances must grow from point to point: {}.",
+                             tail.profile_m[i - 1][0], x,
+                             x < tail.profile_m[i - 1][0] ? "sort them" : "leave out one, or part them"));
       }
     }
 

@@ -354,10 +354,15 @@ namespace swimtwin
     expect_refused(swelling + Overrides{"tail.length_m=6e-3"}, "does not go with profile_m, which says it");
     expect_refused(profile("[[0.0, 0.3e-3]]"), "has one point; give at least two");
     expect_refused(profile("[[1e-3, 0.3e-3], [2e-3, 0.3e-3]]"), "its first distance must be 0");
-    expect_refused(profile("[[0.0, 0.3e-3], [2e-3, 0.3e-3], [2e-3, 0.2e-3]]"), "distances must grow");
+    expect_refused(
+        profile("[[0.0, 0.3e-3], [2e-3, 0.3e-3], [2e-3, 0.2e-3]]"),
+        "goes from 0.002 m to 0.002 m; distances must grow from point to point: leave out one, or part them.");
+    expect_refused(profile("[[0.0, 0.3e-3], [2e-3, 0.3e-3], [1e-3, 0.2e-3]]"), "from point to point: sort them.");
+    expect_refused({"tail.tip_height_m=0"}, "elements end in no point: blunt the tip (unit: m)");
     expect_refused(profile("[[0.0, 0.3e-3], [2e-3, 0.0]]"),
                    "has the radius 0 m at 0.002 m; every radius must be positive");
-    expect_refused(profile("[[0.0, -0.3e-3], [2e-3, 0.1e-3]]"), "must not be negative (unit: m)");
+    expect_refused(profile("[[0.0, 0.3e-3], [1e-3, -0.3e-3], [2e-3, 0.1e-3]]"),
+                   "has the radius -0.0003 m at 0.001 m; every radius must be positive");
     expect_refused(profile("[]"), "an array of points [[x, y], ...] in m");
     expect_refused(profile("[[0.0, 0.3e-3], [2e-3]]"), "an array of points [[x, y], ...] in m");
     expect_refused(profile("[[0.0, 0.8e-3], [2e-3, 0.1e-3]]"), "the tail must start on the head");
