@@ -10,9 +10,11 @@
 #include <datasets/system/error.h>
 #include <fom/run/simulation.h>
 #include <reports/plan/plan_files.h>
+#include <rom/training/posed_body.h>
 
 #include <fmt/format.h>
 
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -21,12 +23,33 @@ namespace swimtwin
 {
   namespace
   {
+    template <int dim>
+    std::array<double, 2> center_about_middle(const Scene &scene, const double angle_rad)
+    {
+      const Swimmer<dim> swimmer(scene, MPI_COMM_SELF);
+      ShapePoint         turned;
+      turned.angle_rad  = angle_rad;
+      const auto center = posed(swimmer, turned, swimmer.configuration_at_rest().shape, {}).pose.center;
+      return {center[0], center[1]};
+    }
+
+    /// Where the head of a body starts (m) that is turned about its middle, not about the head, beside whose place in a
+    /// channel the middle would be. A domain that moves along is centred as the scene has it.
+    std::array<double, 2> turned_center(const Scene &scene, const double angle_rad)
+    {
+      if (scene.domain->moves_with_swimmer)
+        return scene.head.center_m;
+      return scene.dimension == 2 ? center_about_middle<2>(scene, angle_rad) : center_about_middle<3>(scene, angle_rad);
+    }
+
     Scene replay_scene(const ReducedModel &model, const PlanResult &plan, const std::filesystem::path &program,
-                       const double period_s, const double angle_rad, const ReplayOptions &options)
+                       const double period_s, const std::array<double, 2> &center_m, const double angle_rad,
+                       const ReplayOptions &options)
     {
       const std::string file = std::filesystem::absolute(program).string();
       return parse_scene(with_field_program(model.scene_text, file, period_s), model.scene_name + ".toml",
                          {fmt::format("head.angle_rad={:.17g}", angle_rad),
+                          fmt::format("head.center_m=[{:.17g}, {:.17g}]", center_m[0], center_m[1]),
                           fmt::format("head.magnetization_A_m={:.17g}", plan.magnetization_A_m),
                           fmt::format("tail.young_modulus_Pa={:.17g}", plan.young_modulus_Pa),
                           fmt::format("fluid.viscosity_Pa_s={:.17g}", plan.viscosity_Pa_s),
@@ -58,18 +81,22 @@ namespace swimtwin
         write_field_program(file, sampled_program(drive, samples_per_s), field.name + ", as it was replayed");
       });
       ReplayedField replayed;
-      replayed.name              = field.name;
-      Scene                scene = replay_scene(model, plan, file, 1. / drive.frequency_Hz, 0., options);
-      RunRequest           run   = request_of(scene, drive, options);
+      replayed.name                  = field.name;
+      const Scene          trained   = parse_scene(model.scene_text, model.scene_name + ".toml");
+      const auto          &at_rest_m = trained.head.center_m;
+      Scene                scene     = replay_scene(model, plan, file, 1. / drive.frequency_Hz, at_rest_m, 0., options);
+      RunRequest           run       = request_of(scene, drive, options);
       const ReducedSwimmer swimmer(model, inertial_densities(scene, inertia_terms(scene)));
       replayed.start_angle_rad = settled_start_angle_rad(swimmer, run, start_of(field), settled_after);
+      const auto center_m      = turned_center(trained, replayed.start_angle_rad);
       run.initial_state        = state_at_rest(swimmer, replayed.start_angle_rad);
+      run.initial_state.head<2>() << center_m[0] - at_rest_m[0], center_m[1] - at_rest_m[1];
       replayed.reduced_displacement_m =
           displacement_per_period(SwimmerIntegrator(swimmer, {}).run(run), plan.heading_rad);
       replayed.reduced_displacement_m.resize(static_cast<std::size_t>(options.periods), // not known if the run failed
                                              std::numeric_limits<double>::quiet_NaN());
 
-      scene = replay_scene(model, plan, file, 1. / drive.frequency_Hz, replayed.start_angle_rad, options);
+      scene = replay_scene(model, plan, file, 1. / drive.frequency_Hz, center_m, replayed.start_angle_rad, options);
       SimulationOptions simulation;
       simulation.folder       = folder;
       simulation.command_line = common.command_line;

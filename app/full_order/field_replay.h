@@ -14,7 +14,8 @@ namespace swimtwin
   };
 
   /// Runs the tuned sinusoid and the optimal field of a plan from rest, straight, at the angle from which the motion
-  /// settles fastest; results go to folders of the output. Collective.
+  /// settles fastest, the body's middle where the scene has it, on the axis of a channel; results go to folders of the
+  /// output. Collective.
   PlanReplay replay_on_full_order_model(const ReducedModel &model, const PlanResult &plan, const CommonOptions &common,
                                         const ReplayOptions &options);
 } // namespace swimtwin

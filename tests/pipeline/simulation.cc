@@ -40,6 +40,26 @@ namespace swimtwin
              "time.periods=" + std::to_string(periods)}};
   }
 
+  std::string brief_goal()
+  {
+    return R"(
+[objective]
+mean_speed = 1
+[field]
+harmonics = 2
+family = "symmetric"
+frequency_low_Hz = 0.5
+frequency_high_Hz = 1.5
+sample_rate_Hz = 200
+[limits]
+magnitude_T = 7e-3
+[search]
+starts = 0
+max_evaluations = 20
+gradient_free_budget = 0
+)";
+  }
+
   std::vector<std::string> simulate_arguments(const ShrunkScene &scene, const std::filesystem::path &folder,
                                               const std::vector<std::string> &options)
   {

@@ -31,6 +31,9 @@ namespace swimtwin
   /// The reference swimmer as built, in a smaller box, on a mesh of 13,000 unknowns for its half; without inertia.
   ShrunkScene coarse_swimmer_in_space(double periods);
 
+  /// The text of a goal of `optimize` that is searched for in seconds.
+  std::string brief_goal();
+
   struct Motion
   {
     RunSummary summary;

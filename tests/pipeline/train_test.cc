@@ -132,11 +132,7 @@ namespace swimtwin
     const TemporaryFolder folder;
     const std::string     first = folder.path / "model" / "model.h5", results = folder.path / "plan";
     ASSERT_EQ(run_tool(train_arguments(folder.path / "model")).exit_code, 0);
-    const std::string goal = folder.write("goal.toml", "[objective]\nmean_speed = 1\n[field]\nharmonics = 2\n"
-                                                       "family = \"symmetric\"\nfrequency_low_Hz = 0.5\n"
-                                                       "frequency_high_Hz = 1.5\nsample_rate_Hz = 200\n"
-                                                       "[limits]\nmagnitude_T = 7e-3\n[search]\nstarts = 0\n"
-                                                       "max_evaluations = 20\ngradient_free_budget = 0\n");
+    const std::string goal = folder.write("goal.toml", brief_goal());
     const Outcome     outcome =
         run_tool({"optimize", first, goal, "--refine", "2", "--refine-target", "0.0001%", "--inertia", "none",
                   "--replay-periods", "2", "--replay-steps", "80", "--no-picture", "--output", results});
