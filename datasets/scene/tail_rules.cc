@@ -131,10 +131,11 @@ namespace swimtwin
       if (radius >= least * tail.length_m)
         return;
       const bool is_straight = tail.profile_m.empty();
-      document.refuse("tail", is_straight ? "tip_height_m" : "profile_m",
-                      fmt::format("{}is {:.3g} m thick where it is thinnest, too thin for elements of a tail of {:.3g} "
-                                  "m; at least {:.2g} m are needed: blunt it.",
-                                  is_straight ? "m " : "", 2. * radius, tail.length_m, 2. * least * tail.length_m));
+      document.refuse(
+          "tail", is_straight ? "tip_height_m" : "profile_m",
+          fmt::format("{} too thin for elements of a tail of {:.3g} m; at least {:.2g} m are needed: blunt it.",
+                      is_straight ? "m is" : fmt::format("is {:.3g} m thick where it is thinnest,", 2. * radius),
+                      tail.length_m, 2. * least * tail.length_m));
     }
 
     void check_root_and_tip(const TomlDocument &document, const Head &head, const Tail &tail)

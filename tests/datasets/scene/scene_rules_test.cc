@@ -375,8 +375,8 @@ namespace swimtwin
   {
     const auto tip = [](const std::string &height) { return in_space + Overrides{"tail.tip_height_m=" + height}; };
     expect_accepted(swimmer_toml, tip("1.6e-6"));
-    expect_refused(tip("1.4e-6"), "[tail] tip_height_m = 1.4e-06 m is 1.4e-06 m thick where it is thinnest, too thin "
-                                  "for elements of a tail of 0.0075 m; at least 1.5e-06 m are needed: blunt it.");
+    expect_refused(tip("1.4e-6"), "[tail] tip_height_m = 1.4e-06 m is too thin for elements of a tail of 0.0075 m; at "
+                                  "least 1.5e-06 m are needed: blunt it.");
     expect_accepted(swimmer_toml, {"tail.tip_height_m=1.4e-6"});
     expect_refused(in_space +
                        Overrides{"tail={profile_m=[[0.0, 0.3e-3], [3e-3, 0.4e-6], [6e-3, 0.2e-3]], law=\"rigid\", "
