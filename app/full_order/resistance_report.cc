@@ -5,6 +5,7 @@
 #include <app/frame/ranks.h>
 #include <app/frame/written_files.h>
 #include <datasets/files/output_folder.h>
+#include <datasets/scene/scene_surfaces.h>
 #include <datasets/system/console.h>
 #include <datasets/system/error.h>
 #include <datasets/system/provenance.h>
@@ -32,7 +33,8 @@ namespace swimtwin
 
     template <int dim>
     nlohmann::ordered_json to_json(const ResistanceResult<dim> &result, const Scene &scene,
-                                   const std::string &command_line, const double wall_time_s)
+                                   const std::vector<std::string> &warnings, const std::string &command_line,
+                                   const double wall_time_s)
     {
       nlohmann::ordered_json json;
       json["matrix"] = nlohmann::ordered_json::array();
@@ -52,6 +54,7 @@ namespace swimtwin
       json["n_unknowns"]  = result.n_unknowns;
       json["n_cells"]     = result.n_cells;
       json["wall_time_s"] = wall_time_s;
+      json["warnings"]    = warnings;
       json["provenance"]  = {{"program_version", current_program_version},
                              {"command_line", command_line},
                              {"scene_hash", scene.hash},
@@ -91,8 +94,11 @@ namespace swimtwin
       if (!is_speaker())
         return;
       const double wall_time_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      const auto   warnings    = sliver_warnings(scene);
       write_text_atomically(common.output / "resistance.json",
-                            to_json(result, scene, common.command_line, wall_time_s).dump(2) + "\n");
+                            to_json(result, scene, warnings, common.command_line, wall_time_s).dump(2) + "\n");
+      for (const std::string &warning : warnings)
+        warn(warning);
       if (!common.quiet)
         print(result);
     }

@@ -1,3 +1,4 @@
+#include <tests/datasets/example_surfaces.h>
 #include <tests/pipeline/simulation.h>
 
 #include <Eigen/Dense>
@@ -114,6 +115,40 @@ namespace swimtwin
                      {"rotating-disc: [numerics] mesh_size_m = 0.004 m", "inside out at (", "set mesh_size_m = "});
       EXPECT_FALSE(std::filesystem::exists(folder.path / "run/resistance.json"));
     }
+  }
+
+  // A plate of triangles 100 times as long as wide at its rim.
+  TEST(Verbs, ResistanceWarnsOfSlivers)
+  {
+    const TemporaryFolder folder;
+    folder.write("plate.stl", stl_text(example_box({2., 2., .02})));
+    const std::string scene   = folder.write("plate.toml", R"(
+dimension = 3
+[fluid]
+density_kg_m3 = 1000.0
+viscosity_Pa_s = 1.0
+inertia = "none"
+[domain]
+shape = "sphere"
+radius_m = 20e-3
+[head]
+shape = "surface"
+surface = "plate.stl"
+surface_unit_m = 1e-3
+motion = "fixed"
+[time]
+duration_s = 1.0
+steps = 1
+[numerics]
+mesh_growth = 0.8
+mesh_size_far_m = 6e-3
+)");
+    const Outcome     outcome = run_tool({"resistance", scene, "--output", folder.path / "results"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    expect_in(outcome.err, "warning: plate.stl has a triangle of quality 0.017");
+    const auto warnings = nlohmann::json::parse(content(folder.path / "results/resistance.json"))["warnings"];
+    ASSERT_EQ(warnings.size(), 1u);
+    expect_in(warnings[0], "the flow is inaccurate at slivers below 0.05");
   }
 
   TEST(Verbs, QuietOnesPrintNothing)
