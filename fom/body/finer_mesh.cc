@@ -39,8 +39,8 @@ namespace swimtwin
 
     struct Trials
     {
-      double smallest_m; ///< size that was tried
-      bool   is_good;    ///< whether it works
+      double smallest_m; ///< size that was tried; the scene's own if none was
+      bool   is_found;   ///< whether it works
     };
 
     Trials try_smaller_sizes(const Scene &scene, const std::function<bool(const Scene &)> &is_meshed)
@@ -70,16 +70,17 @@ namespace swimtwin
   void refuse_mesh_size(const Scene &scene, const ComputationError &error,
                         const std::function<bool(const Scene &)> &is_meshed, const std::string &gap)
   {
-    const std::string refused  = fmt::format("{}: [numerics] mesh_size_m = {} m is too coarse: {}", scene.name,
-                                             scene.numerics.mesh_size_m, error.what());
-    const auto [size, is_good] = try_smaller_sizes(scene, is_meshed);
-    if (is_good)
+    const std::string refused   = fmt::format("{}: [numerics] mesh_size_m = {} m is too coarse: {}", scene.name,
+                                              scene.numerics.mesh_size_m, error.what());
+    const auto [size, is_found] = try_smaller_sizes(scene, is_meshed);
+    if (is_found)
       throw InputError(fmt::format("{}; set {} (tried)", refused, settings(scene, size)));
     if (gap.empty() && dynamic_cast<const InvertedElement *>(&error) == nullptr)
       throw ComputationError(error);
-    throw InputError(
-        fmt::format("{}; no size down to {:.2g} m does (tried): {}, blunt the corner, or lower mesh_growth "
-                    "and mesh_size_far_m",
-                    refused, size, gap.empty() ? "widen the gap there" : "widen " + gap));
+    const std::string tried = size < scene.numerics.mesh_size_m
+                                  ? fmt::format("no size down to {:.2g} m does (tried)", size)
+                                  : "smaller ones were not tried, whose meshes would take minutes";
+    throw InputError(fmt::format("{}; {}: {}, blunt the corner, or lower mesh_growth and mesh_size_far_m", refused,
+                                 tried, gap.empty() ? "widen the gap there" : "widen " + gap));
   }
 } // namespace swimtwin

@@ -21,7 +21,7 @@ namespace swimtwin
       curve.insert(curve.end(), next.begin() + 1, next.end());
     }
 
-    /// On the axis and around it: coarser than the surface, and not much larger than the tail is thick.
+    /// On the axis and around it: coarser than the surface, and at most five times as large as the tail is thick.
     SpatialSizeField size_about_axis(const Scene &scene)
     {
       constexpr double radii = 10.;

@@ -152,6 +152,16 @@ namespace swimtwin
     }
   }
 
+  // Half the size would do, but beside such a fluid its mesh would take minutes.
+  TEST(RevolvedBody, IsNotSaidToBeTriedWithSizesThatWereNot)
+  {
+    const Scene scene = shipped_scene("reference-3d-paper",
+                                      {"variant=quick", "tail.tip_height_m=16e-6", "numerics.mesh_size_far_m=0.9e-3"});
+    const auto  text  = message_of<InputError>([&] { meshes_of(scene); });
+    expect_in(text, "smaller ones were not tried");
+    EXPECT_EQ(text.find("(tried)"), std::string::npos) << text;
+  }
+
   TEST(FluidInSpace, FillsAGapOfASixtiethOfTheMeshSize)
   {
     const auto meshes =
