@@ -4,6 +4,8 @@
 #include <datasets/surface/surface_crossings.h>
 #include <datasets/surface/surface_distance.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -237,5 +239,10 @@ namespace swimtwin
     if (domain.shape == DomainShape::annulus && body_covers(scene, domain.center_m))
       closest = {"inner", std::min(closest.distance_m, -domain.inner_radius_m)};
     return closest;
+  }
+
+  std::string gap_in_words(const Clearance &clearance)
+  {
+    return fmt::format("the gap of {:.2g} m to the {} wall", clearance.distance_m, clearance.wall);
   }
 } // namespace swimtwin

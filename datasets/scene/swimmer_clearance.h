@@ -21,4 +21,7 @@ namespace swimtwin
 
   /// Needs a scene with a domain.
   Clearance swimmer_clearance(const Scene &scene);
+
+  /// "the gap of 5e-06 m to the outer wall"
+  std::string gap_in_words(const Clearance &clearance);
 } // namespace swimtwin

@@ -83,10 +83,8 @@ namespace swimtwin
     {
       if (!scene.domain)
         return {};
-      const auto [wall, gap_m] = swimmer_clearance(scene);
-      if (gap_m > scene.numerics.mesh_size_m)
-        return {};
-      return fmt::format("the gap of {:.2g} m to the {} wall", gap_m, wall);
+      const Clearance clearance = swimmer_clearance(scene);
+      return clearance.distance_m > scene.numerics.mesh_size_m ? std::string() : gap_in_words(clearance);
     }
 
     [[noreturn]] void refuse_surfaces(const Scene &scene, const ComputationError &error)

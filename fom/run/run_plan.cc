@@ -268,14 +268,15 @@ namespace swimtwin
       constexpr double narrow = 0.25;
       if (!scene.domain)
         return;
-      const auto [wall, gap_m] = swimmer_clearance(scene);
-      plan.numbers.push_back({"nearest wall", fmt::format("{}, {:.3g} m away", wall, gap_m)});
+      const Clearance clearance = swimmer_clearance(scene);
+      const double    gap_m     = clearance.distance_m;
+      plan.numbers.push_back({"nearest wall", fmt::format("{}, {:.3g} m away", clearance.wall, gap_m)});
       if (scene.dimension == 3 && gap_m < narrow * scene.numerics.mesh_size_m)
-        plan.warnings.push_back(
-            fmt::format("the gap of {:.2g} m to the {} wall is {:.2g} times narrower than elements beside it are long: "
-                        "the flow in it is coarse; {}, or widen the gap",
-                        gap_m, wall, scene.numerics.mesh_size_m / gap_m,
-                        scene.head.surface ? "mesh the surface finer" : "lower [numerics] mesh_size_m"));
+        plan.warnings.push_back(fmt::format(
+            "{} is {:.2g} times narrower than elements beside it are long: the flow in it is coarse; {}, or "
+            "widen the gap",
+            gap_in_words(clearance), scene.numerics.mesh_size_m / gap_m,
+            scene.head.surface ? "mesh the surface finer" : "lower [numerics] mesh_size_m"));
     }
 
     void plan_surface(const std::string &whose, const ClosedSurface &surface, RunPlan &plan)
