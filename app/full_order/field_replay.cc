@@ -23,25 +23,6 @@ namespace swimtwin
 {
   namespace
   {
-    template <int dim>
-    std::array<double, 2> center_about_middle(const Scene &scene, const double angle_rad)
-    {
-      const Swimmer<dim> swimmer(scene, MPI_COMM_SELF);
-      ShapePoint         turned;
-      turned.angle_rad  = angle_rad;
-      const auto center = posed(swimmer, turned, swimmer.configuration_at_rest().shape, {}).pose.center;
-      return {center[0], center[1]};
-    }
-
-    /// Where the head of a body starts (m) that is turned about its middle, not about the head, beside whose place in a
-    /// channel the middle would be. A domain that moves along is centred as the scene has it.
-    std::array<double, 2> turned_center(const Scene &scene, const double angle_rad)
-    {
-      if (scene.domain->moves_with_swimmer)
-        return scene.head.center_m;
-      return scene.dimension == 2 ? center_about_middle<2>(scene, angle_rad) : center_about_middle<3>(scene, angle_rad);
-    }
-
     Scene replay_scene(const ReducedModel &model, const PlanResult &plan, const std::filesystem::path &program,
                        const double period_s, const std::array<double, 2> &center_m, const double angle_rad,
                        const ReplayOptions &options)
@@ -88,7 +69,7 @@ namespace swimtwin
       RunRequest           run       = request_of(scene, drive, options);
       const ReducedSwimmer swimmer(model, inertial_densities(scene, inertia_terms(scene)));
       replayed.start_angle_rad = settled_start_angle_rad(swimmer, run, start_of(field), settled_after);
-      const auto center_m      = turned_center(trained, replayed.start_angle_rad);
+      const auto center_m      = turned_center_m(trained, replayed.start_angle_rad);
       run.initial_state        = state_at_rest(swimmer, replayed.start_angle_rad);
       run.initial_state.head<2>() << center_m[0] - at_rest_m[0], center_m[1] - at_rest_m[1];
       replayed.reduced_displacement_m =

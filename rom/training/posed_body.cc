@@ -2,6 +2,26 @@
 
 namespace swimtwin
 {
+  namespace
+  {
+    template <int dim>
+    std::array<double, 2> center_about_middle(const Scene &scene, const double angle_rad)
+    {
+      const Swimmer<dim> swimmer(scene, MPI_COMM_SELF);
+      ShapePoint         turned;
+      turned.angle_rad  = angle_rad;
+      const auto center = posed(swimmer, turned, swimmer.configuration_at_rest().shape, {}).pose.center;
+      return {center[0], center[1]};
+    }
+  } // namespace
+
+  std::array<double, 2> turned_center_m(const Scene &scene, const double angle_rad)
+  {
+    if (scene.domain->moves_with_swimmer)
+      return scene.head.center_m;
+    return scene.dimension == 2 ? center_about_middle<2>(scene, angle_rad) : center_about_middle<3>(scene, angle_rad);
+  }
+
   template <int dim>
   Configuration<dim> posed(const Swimmer<dim> &swimmer, const ShapePoint &point, NodalField<dim> shape,
                            const std::optional<double> height_m)

@@ -4,6 +4,7 @@
 #include <fom/body/swimmer.h>
 #include <rom/training/sample_store.h>
 
+#include <array>
 #include <optional>
 
 namespace swimtwin
@@ -13,4 +14,9 @@ namespace swimtwin
   template <int dim>
   Configuration<dim> posed(const Swimmer<dim> &swimmer, const ShapePoint &point, NodalField<dim> shape,
                            std::optional<double> height_m);
+
+  /// Where the head's centre is (m) of the straight body that is turned to an angle about its middle, which stays where
+  /// the scene has it: turned about its head, the middle would be beside its place in a channel. A domain that moves
+  /// along is centred as the scene has it, and so is the head.
+  std::array<double, 2> turned_center_m(const Scene &scene, double angle_rad);
 } // namespace swimtwin
