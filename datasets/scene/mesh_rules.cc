@@ -26,6 +26,9 @@ namespace swimtwin
                         numerics.mesh_size_far_m, numerics.mesh_size_m));
     }
 
+    const double triangle    = 0.25 * std::sqrt(3.); ///< area of one of equal sides, over the square of a side
+    const double tetrahedron = std::sqrt(2.) / 12.;  ///< volume of one of equal edges, over the cube of an edge
+
     /// Along x, y and, in space, z.
     std::array<double, 3> extent_m(const Domain &domain)
     {
@@ -46,8 +49,7 @@ namespace swimtwin
       const double perimeter = 2. * (scene.body_length_m() + scene.head.size_m[1]);
       const double near =
           std::min(perimeter / (sizes.mesh_growth * sizes.mesh_size_m), area / (sizes.mesh_size_m * sizes.mesh_size_m));
-      const double shape = 0.25 * std::sqrt(3.); // area of such a triangle over the square of its side
-      return (near + area / (sizes.mesh_size_far_m * sizes.mesh_size_far_m)) / shape;
+      return (near + area / (sizes.mesh_size_far_m * sizes.mesh_size_far_m)) / triangle;
     }
 
     /// The same of tetrahedra: as many per volume as have the wanted edge.
@@ -59,8 +61,7 @@ namespace swimtwin
       const double perimeter = std::numbers::pi * scene.head.size_m[1];
       const double near =
           std::min(scene.body_length_m() * perimeter / (2. * sizes.mesh_growth * h * h), volume / (h * h * h));
-      const double shape = std::sqrt(2.) / 12.; // volume of such a tetrahedron over the cube of its edge
-      return (near + volume / (far * far * far)) / shape;
+      return (near + volume / (far * far * far)) / tetrahedron;
     }
 
     void check_mesh_extent(const TomlDocument &document, const Scene &scene)
@@ -88,6 +89,19 @@ namespace swimtwin
     if (!scene.domain)
       return 0.;
     return scene.dimension == 3 ? expected_tetrahedra(scene) : expected_triangles(scene);
+  }
+
+  double expected_tail_cells(const Scene &scene)
+  {
+    if (!scene.tail)
+      return 0.;
+    const Tail  &tail   = *scene.tail;
+    const double height = tail.mean_height_m(), h = scene.numerics.mesh_size_m;
+    if (scene.dimension == 2)
+      return tail.length_m * height / (triangle * h * h);
+    const double section =
+        tail.section == TailSection::rectangular ? tail.width_m * height : .25 * std::numbers::pi * height * height;
+    return tail.length_m * section / (tetrahedron * h * h * h);
   }
 
   void check_mesh(const TomlDocument &document, const Scene &scene)

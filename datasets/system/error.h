@@ -18,4 +18,11 @@ namespace swimtwin
   public:
     using std::runtime_error::runtime_error;
   };
+
+  /// What is healthy with more memory, or a coarser mesh.
+  class OutOfMemory : public ComputationError
+  {
+  public:
+    using ComputationError::ComputationError;
+  };
 } // namespace swimtwin

@@ -1,8 +1,5 @@
 #include <fom/body/finer_mesh.h>
 
-#include <datasets/scene/mesh_rules.h>
-#include <fom/mesh/inverted_element.h>
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,39 +18,36 @@ namespace swimtwin
       return scene;
     }
 
-    bool is_good(const Scene &finer, const std::function<bool(const Scene &)> &is_meshed)
-    {
-      try
-      {
-        return is_meshed(finer);
-      }
-      catch (const ComputationError &)
-      {
-        return false;
-      }
-      catch (const InputError &)
-      {
-        return false;
-      }
-    }
-
     struct Trials
     {
       double smallest_m; ///< size that was tried; the scene's own if none was
       bool   is_found;   ///< whether it works
     };
 
-    Trials try_smaller_sizes(const Scene &scene, const std::function<bool(const Scene &)> &is_meshed)
+    Trials try_smaller_sizes(const Scene &scene, const FinerMesh &mesh)
     {
       double size = scene.numerics.mesh_size_m;
       for (int k = 0; k < n_halvings; ++k)
       {
         const Scene finer = with_mesh_size(scene, size / 2.);
-        if (scene.dimension == 3 && expected_cells(finer) > most_cells_to_try)
+        if (scene.dimension == 3 && mesh.expected_cells(finer) > most_cells_to_try)
           break;
+        try
+        {
+          if (mesh.is_meshed(finer))
+            return {size / 2., true};
+        }
+        catch (const OutOfMemory &)
+        {
+          break;
+        }
+        catch (const ComputationError &)
+        {
+        }
+        catch (const InputError &)
+        {
+        }
         size /= 2.;
-        if (is_good(finer, is_meshed))
-          return {size, true};
       }
       return {size, false};
     }
@@ -67,20 +61,18 @@ namespace swimtwin
     }
   } // namespace
 
-  void refuse_mesh_size(const Scene &scene, const ComputationError &error,
-                        const std::function<bool(const Scene &)> &is_meshed, const std::string &gap)
+  void refuse_mesh_size(const Scene &scene, const ComputationError &error, const FinerMesh &mesh)
   {
     const std::string refused   = fmt::format("{}: [numerics] mesh_size_m = {} m is too coarse: {}", scene.name,
                                               scene.numerics.mesh_size_m, error.what());
-    const auto [size, is_found] = try_smaller_sizes(scene, is_meshed);
+    const auto [size, is_found] = try_smaller_sizes(scene, mesh);
     if (is_found)
       throw InputError(fmt::format("{}; set {} (tried)", refused, settings(scene, size)));
-    if (gap.empty() && dynamic_cast<const InvertedElement *>(&error) == nullptr)
+    if (mesh.remedy.empty())
       throw ComputationError(error);
     const std::string tried = size < scene.numerics.mesh_size_m
                                   ? fmt::format("no size down to {:.2g} m does (tried)", size)
                                   : "smaller ones were not tried, whose meshes would take minutes";
-    throw InputError(fmt::format("{}; {}: {}, blunt the corner, or lower mesh_growth and mesh_size_far_m", refused,
-                                 tried, gap.empty() ? "widen the gap there" : "widen " + gap));
+    throw InputError(fmt::format("{}; {}: {}", refused, tried, mesh.remedy));
   }
 } // namespace swimtwin

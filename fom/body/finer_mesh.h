@@ -5,14 +5,23 @@
 #include <datasets/system/error.h>
 
 #include <functional>
+#include <string>
 
 namespace swimtwin
 {
-  /// Refuse the scene's mesh size because of an error in meshing it at rest. `is_meshed` makes the mesh of a scene like
-  /// it with a smaller size and says whether it is good, or throws ComputationError or InputError. Throws InputError
-  /// that names the size to use, or that none is small enough, of those whose meshes are made in seconds, if there are
-  /// any. What no size mends and is not about elements inside out is thrown again as it is, unless a gap is to blame
-  /// that `gap` names.
-  [[noreturn]] void refuse_mesh_size(const Scene &scene, const ComputationError &error,
-                                     const std::function<bool(const Scene &)> &is_meshed, const std::string &gap = {});
+  /// A mesh at rest, as it is made anew with smaller sizes.
+  struct FinerMesh
+  {
+    /// Makes it of a scene like the one refused and says whether it is good, or throws ComputationError or InputError.
+    std::function<bool(const Scene &)> is_meshed;
+    /// About as many as it would have.
+    std::function<double(const Scene &)> expected_cells;
+    /// What else the scene's owner can do, where the geometry is to blame; else empty.
+    std::string remedy;
+  };
+
+  /// Refuse the scene's mesh size because of an error, other than of memory, in meshing it at rest. Throws InputError
+  /// that names the size to use, or that none is small enough, of those whose meshes are made in seconds, with the
+  /// remedy. Where none is and there is no remedy the error is thrown again as it is.
+  [[noreturn]] void refuse_mesh_size(const Scene &scene, const ComputationError &error, const FinerMesh &mesh);
 } // namespace swimtwin

@@ -1,10 +1,12 @@
 #include <fom/body/mesh_around.h>
 
+#include <datasets/scene/mesh_rules.h>
 #include <datasets/scene/mirror_plane.h>
 #include <datasets/scene/swimmer_clearance.h>
 #include <datasets/surface/closed_surface.h>
 #include <fom/body/finer_mesh.h>
 #include <fom/mesh/inverted_element.h>
+#include <fom/meshing/gmsh_session.h>
 
 #include <fmt/format.h>
 
@@ -71,6 +73,9 @@ namespace swimtwin
     /// Of a body in motion, whose surface is meshed already.
     [[noreturn]] void say_remedy(const ComputationError &error, const Scene &scene)
     {
+      if (const auto *crossed = dynamic_cast<const CrossedSurfaces *>(&error))
+        throw CrossedSurfaces(fmt::format("{}; lower [numerics] mesh_size_m = {} m, or keep the swimmer from the wall",
+                                          crossed->what(), scene.numerics.mesh_size_m));
       if (dynamic_cast<const InvertedElement *>(&error) == nullptr)
         throw ComputationError(error);
       throw InvertedElement(scene.head.surface ? fmt::format("{}; mesh the surface anew, finer", error.what())
@@ -78,13 +83,16 @@ namespace swimtwin
                                                              scene.numerics.mesh_size_m));
     }
 
-    /// A few words on a gap beside the swimmer that is narrower than its elements are long, empty if there is none.
-    std::string narrow_gap(const Scene &scene)
+    /// What a geometry needs whose fluid is not meshed at any size: empty if that is not the geometry's fault.
+    std::string remedy(const Scene &scene, const ComputationError &error)
     {
-      if (!scene.domain)
+      const Clearance clearance = scene.domain ? swimmer_clearance(scene) : Clearance{};
+      const bool      is_narrow = scene.domain && clearance.distance_m <= scene.numerics.mesh_size_m;
+      if (!is_narrow && dynamic_cast<const InvertedElement *>(&error) == nullptr &&
+          dynamic_cast<const CrossedSurfaces *>(&error) == nullptr)
         return {};
-      const Clearance clearance = swimmer_clearance(scene);
-      return clearance.distance_m > scene.numerics.mesh_size_m ? std::string() : gap_in_words(clearance);
+      return fmt::format("widen {}, blunt the corner, or lower mesh_growth and mesh_size_far_m",
+                         is_narrow ? gap_in_words(clearance) : "the gap there");
     }
 
     [[noreturn]] void refuse_surfaces(const Scene &scene, const ComputationError &error)
@@ -107,20 +115,22 @@ namespace swimtwin
       {
         return make_mesh(swimmer, configuration, by_halves, communicator);
       }
+      catch (const OutOfMemory &)
+      {
+        throw;
+      }
       catch (const ComputationError &error)
       {
         if (!is_at_rest(swimmer, configuration))
           say_remedy(error, swimmer.scene());
         if (swimmer.scene().has_surfaces())
           refuse_surfaces(swimmer.scene(), error);
-        refuse_mesh_size(
-            swimmer.scene(), error,
-            [&](const Scene &finer) {
-              const Swimmer<dim>   body(finer, communicator);
-              const FluidMesh<dim> mesh = make_mesh(body, body.configuration_at_rest(), by_halves, communicator);
-              return worst_quality<dim>(mesh.mesh, mesh.mesh.nodes) >= finer.numerics.remesh_quality;
-            },
-            narrow_gap(swimmer.scene()));
+        const auto is_meshed = [&](const Scene &finer) {
+          const Swimmer<dim>   body(finer, communicator);
+          const FluidMesh<dim> mesh = make_mesh(body, body.configuration_at_rest(), by_halves, communicator);
+          return worst_quality<dim>(mesh.mesh, mesh.mesh.nodes) >= finer.numerics.remesh_quality;
+        };
+        refuse_mesh_size(swimmer.scene(), error, {is_meshed, expected_cells, remedy(swimmer.scene(), error)});
       }
     }
   } // namespace

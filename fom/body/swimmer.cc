@@ -1,9 +1,11 @@
 #include <fom/body/swimmer.h>
 
 #include <datasets/scene/inertia_terms.h>
+#include <datasets/scene/mesh_rules.h>
 #include <datasets/scene/mirror_plane.h>
 #include <datasets/surface/closed_surface.h>
 #include <fom/body/finer_mesh.h>
+#include <fom/mesh/inverted_element.h>
 
 #include <fmt/format.h>
 
@@ -84,16 +86,24 @@ namespace swimtwin
     {
       return make_body_mesh<dim>(scene, communicator);
     }
+    catch (const OutOfMemory &)
+    {
+      throw;
+    }
     catch (const ComputationError &error)
     {
       if (scene.head.surface)
         throw InputError(fmt::format("{}: the tail cannot be meshed with the triangles of {} ({}); mesh the surface "
                                      "anew, finer where it is thin or curved, and without slivers",
                                      scene.name, scene.head.surface->file.string(), error.what()));
-      refuse_mesh_size(scene, error, [&](const Scene &finer) {
-        make_body_mesh<dim>(finer, communicator);
-        return true;
-      });
+      const bool is_folded = dynamic_cast<const InvertedElement *>(&error) != nullptr;
+      refuse_mesh_size(scene, error,
+                       {[&](const Scene &finer) {
+                          make_body_mesh<dim>(finer, communicator);
+                          return true;
+                        },
+                        [](const Scene &finer) { return 4. * expected_tail_cells(finer); }, // a folded one is made anew
+                        is_folded ? "blunt the tail's tip, or let its thickness change more gently there" : ""});
     }
   }
 

@@ -105,7 +105,7 @@ namespace swimtwin
     {
       const PetscInt code = failure_of_mumps(ksp_);
       if (code == -5 || code == -7 || code == -13)
-        throw OutOfMemory("factorised");
+        throw out_of_memory("factorised");
       if (code != -8 && code != -9)
         return false;
       start_factors_anew(ksp_, matrix_, extra_percent);

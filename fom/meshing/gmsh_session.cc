@@ -102,14 +102,16 @@ namespace swimtwin
       return {{}, message};
     }
 
-    /// What to do when gmsh ends with that message.
-    std::string remedy(const int dim, const std::string &message)
+    [[noreturn]] void refuse_mesh(const int dim, const std::string &message)
     {
+      if (message == std::bad_alloc().what())
+        throw OutOfMemory("memory ran out while the fluid was meshed; use a coarser mesh ([numerics] mesh_growth and "
+                          "mesh sizes), or allow more memory");
       if (dim == 3 && message.find("PLC Error") != std::string::npos) // a piecewise linear complex
-        return "flat triangles of swimmer and walls go through each other, as they do in a gap narrower than curved "
-               "sides bulge within a triangle, h^2 / (8 R) for the size h and the radius R; lower [numerics] "
-               "mesh_size_m, or widen the gap";
-      return "check that the outlines do not cross and that [numerics] mesh sizes fit the geometry";
+        throw CrossedSurfaces("flat triangles of swimmer and walls go through each other, as they do in a gap narrower "
+                              "than curved sides bulge within a triangle, h^2 / (8 R) for the size h and the radius R");
+      throw ComputationError("the mesh could not be made" + (message.empty() ? "" : " (" + message + ")") +
+                             ": check that the outlines do not cross and that [numerics] mesh sizes fit the geometry");
     }
   } // namespace
 
@@ -140,13 +142,8 @@ namespace swimtwin
     }
     broadcast(coordinates, communicator);
     broadcast(soup.cells, communicator);
-    if (message == std::bad_alloc().what())
-      throw ComputationError(
-          "memory ran out while the fluid was meshed; use a coarser mesh ([numerics] mesh_growth and "
-          "mesh sizes), or allow more memory");
     if (soup.cells.empty())
-      throw ComputationError("the mesh could not be made" + (message.empty() ? "" : " (" + message + ")") + ": " +
-                             remedy(dim, message));
+      refuse_mesh(dim, message);
     soup.vertices.clear();
     for (const auto &row : coordinates)
     {

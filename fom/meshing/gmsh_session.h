@@ -1,6 +1,7 @@
 // gmsh as a global machine, started at the first mesh; what it makes on one rank, all ranks get.
 #pragma once
 
+#include <datasets/system/error.h>
 #include <fom/geometry/simplex_mesh.h>
 
 #include <functional>
@@ -23,8 +24,15 @@ namespace swimtwin
     return largest;
   }
 
+  /// Flat triangles that bound a region go through each other; what() says why, without a remedy.
+  class CrossedSurfaces : public ComputationError
+  {
+  public:
+    using ComputationError::ComputationError;
+  };
+
   /// Run a mesh generator on rank 0 and give its mesh to all. Collective; throws ComputationError with what gmsh said
-  /// if it fails or there is not one cell.
+  /// if it fails or there is not one cell, of these CrossedSurfaces and OutOfMemory.
   template <int dim>
   SimplexSoup<dim> mesh_on_first_rank(const std::function<SimplexSoup<dim>()> &generate, MPI_Comm communicator);
 } // namespace swimtwin
