@@ -37,7 +37,7 @@ namespace swimtwin
 
     FilePatterns training_files()
     {
-      return joined({{"model.h5", "model-card.txt", "samples.h5", "samples-[0-9]*-modes.h5"},
+      return joined({{"model.h5", "model-card.txt", "samples.h5", "samples-[0-9]*-modes.h5", "samples-[0-9]*-runs.h5"},
                      below("runs/run-[0-9]*", motion_files()),
                      below("held-out/[0-9]*-steps/run-[0-9]*", motion_files()),
                      below("held-out-with-inertia/[0-9]*-steps/run-[0-9]*", motion_files())});

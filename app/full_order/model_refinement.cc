@@ -6,6 +6,7 @@
 #include <datasets/system/console.h>
 #include <reports/sweep/model_card.h>
 #include <rom/swimmer/carried_inertia.h>
+#include <rom/training/added_runs.h>
 #include <rom/training/aimed_training.h>
 
 #include <fmt/format.h>
@@ -26,6 +27,8 @@ namespace swimtwin
       for (const char *runs : {"runs", "held-out-with-inertia"})
         if (fs::is_directory(from / runs))
           fs::copy(from / runs, to / runs, fs::copy_options::recursive | fs::copy_options::skip_existing);
+      for (const auto &added : added_run_folders(from / "runs")) // their shapes are among those given
+        fs::remove_all(to / "runs" / added.filename());
     }
 
     fs::path shape_file(const fs::path &folder, const std::size_t i)
@@ -33,12 +36,14 @@ namespace swimtwin
       return folder / "shapes" / fmt::format("{}.h5", i + 1);
     }
 
-    /// Those that a model was refined with before, and more.
+    /// Those that a model was refined with before, those of runs that were added to its training, and more.
     std::vector<fs::path> all_shapes(const fs::path &folder_before, const std::vector<fs::path> &snapshots)
     {
       std::vector<fs::path> all;
       while (fs::exists(shape_file(folder_before, all.size())))
         all.push_back(shape_file(folder_before, all.size()));
+      for (const auto &added : added_run_folders(folder_before / "runs"))
+        all.push_back(added / "snapshots.h5");
       all.insert(all.end(), snapshots.begin(), snapshots.end());
       return all;
     }

@@ -143,7 +143,7 @@ namespace swimtwin
                      "Error of held-out displacements to be met, rms (twice as much at worst), such as 1% or 0.01")
         ->capture_default_str();
     verb->add_option("--budget", own->budget,
-                     "CPU time of all processes, such as 30min, for modes and samples until the target is met")
+                     "CPU time of all processes, such as 30min, for modes, samples and runs until the target is met")
         ->capture_default_str();
     verb->add_option("--basis", own->basis,
                      "bending: angles, all else relaxed; pod: displacements of the runs; elastic: of the tail alone, "

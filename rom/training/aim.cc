@@ -19,11 +19,17 @@ namespace swimtwin
       return attempts[k].error < .9 * before;
     }
 
-    /// Whether the attempt lowered the least error before it at all: a mode that did not was taken back.
+    /// Whether the attempt lowered the least error before it at all: modes and runs that did not were taken back.
     bool was_kept(const std::vector<Attempt> &attempts, const std::size_t k)
     {
       return std::all_of(attempts.begin(), attempts.begin() + static_cast<std::ptrdiff_t>(k),
                          [&](const Attempt &before) { return attempts[k].error < before.error; });
+    }
+
+    /// Modes and region of shapes are chosen anew.
+    bool starts_anew(const Attempt &attempt)
+    {
+      return attempt.remedy == Remedy::another_mode || attempt.remedy == Remedy::more_runs;
     }
 
     /// On the samples of the present modes.
@@ -31,28 +37,30 @@ namespace swimtwin
     {
       bool finest = false;
       for (std::size_t k = 1; k < attempts.size(); ++k)
-        if (attempts[k].remedy != Remedy::another_mode)
+        if (!starts_anew(attempts[k]))
           finest = true;
         else if (was_kept(attempts, k))
           finest = false;
       return finest;
     }
 
-    /// Whether samples were added in vain since something helped.
-    bool samples_have_failed(const std::vector<Attempt> &attempts)
+    /// Whether this was tried in vain since something helped.
+    bool has_failed(const Remedy remedy, const std::vector<Attempt> &attempts)
     {
       for (std::size_t k = attempts.size(); k-- > 1 && !helped(attempts, k);)
-        if (attempts[k].remedy == Remedy::more_samples)
+        if (attempts[k].remedy == remedy)
           return true;
       return false;
     }
 
-    /// Once more it would be made from the same samples, whatever was added to the others since.
+    /// Once more it would be made from the same runs and samples, whatever was added to the others since.
     bool last_mode_failed(const std::vector<Attempt> &attempts)
     {
       for (std::size_t k = attempts.size(); k-- > 1;)
         if (attempts[k].remedy == Remedy::another_mode)
           return !helped(attempts, k);
+        else if (attempts[k].remedy == Remedy::more_runs && was_kept(attempts, k))
+          return false;
       return false;
     }
   } // namespace
@@ -72,25 +80,43 @@ namespace swimtwin
 
   std::optional<Remedy> next_remedy(const std::vector<Attempt> &attempts)
   {
-    const bool samples_failed = samples_have_failed(attempts);
-    const bool mode_failed    = last_mode_failed(attempts);
-    if (samples_failed && mode_failed)
-      return {};
     // It costs nothing, whatever the error comes from; its failure says little: samples may still be what is missing.
     if (!fit_is_finest(attempts))
       return Remedy::finer_fit;
-    const bool is_of_fit = attempts.back().fit_share >= .5 * attempts.back().error;
-    return (is_of_fit || mode_failed) && !samples_failed ? Remedy::more_samples : Remedy::another_mode;
+    const bool samples_failed = has_failed(Remedy::more_samples, attempts),
+               runs_failed    = has_failed(Remedy::more_runs, attempts);
+    if (attempts.back().leaves_shapes && !runs_failed)
+      return Remedy::more_runs;
+    if (attempts.back().fit_share >= .5 * attempts.back().error && !samples_failed)
+      return Remedy::more_samples;
+    if (!last_mode_failed(attempts))
+      return Remedy::another_mode;
+    if (!samples_failed)
+      return Remedy::more_samples;
+    return runs_failed ? std::nullopt : std::optional(Remedy::more_runs);
   }
 
-  std::string cause_of(const TrainingRecord &record)
+  std::string cause_of(const TrainingRecord &record, const KnownShares &shares)
   {
     const double all = displacement_error(record).rms, fit = fit_share(record);
+    const auto   rest = [&]() -> std::string {
+      if (fit >= .5 * all)
+        return "more --samples or a narrower range would help";
+      if (shares.velocities >= .5 * all) // fits to half of the samples may be wrong alike
+        return fmt::format(
+              "surface velocities at shapes not trained on are off by {:.2g} %, worth up to {:.2g} % of the "
+                "displacement: more --samples or a narrower range would help",
+              100. * record.velocity_error_rms, 100. * shares.velocities);
+      if (shares.place >= .5 * all)
+        return fmt::format("the place along the domain, which no variable of the model knows, is worth up to {:.2g} %: "
+                               "a longer domain would help",
+                             100. * shares.place);
+      return "the rest comes from the modes, what loads do to a strongly bent tail beside bending it and monomials "
+               "left "
+               "out";
+    };
     return fmt::format("as far as fits to half of the samples tell, the resistance's fit makes {:.2g} % of {:.2g} % "
                        "(rms); {}",
-                       100. * fit, 100. * all,
-                       fit >= .5 * all ? "more --samples or a narrower range would help"
-                                       : "the rest comes from the modes, the place along the walls, what loads do "
-                                         "to a strongly bent tail beside bending it and monomials left out");
+                       100. * fit, 100. * all, rest());
   }
 } // namespace swimtwin

@@ -3,6 +3,7 @@
 #include <datasets/reduced/held_out_error.h>
 #include <datasets/system/provenance.h>
 #include <rom/swimmer/carried_inertia.h>
+#include <rom/training/added_runs.h>
 #include <rom/training/aim.h>
 #include <rom/training/cpu_budget.h>
 #include <rom/training/explored_shapes.h>
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -41,7 +43,8 @@ namespace swimtwin
         {
           const auto        remedy = next_remedy(attempts_);
           const std::string reason =
-              remedy ? reason_against(*remedy) : "neither more samples nor another mode lowered the error by a tenth";
+              remedy ? reason_against(*remedy)
+                     : "neither more samples, another mode nor more runs lowered the error by a tenth";
           if (!reason.empty())
             return concluded(reason);
           apply(*remedy);
@@ -60,8 +63,9 @@ namespace swimtwin
           return budget_.spent_on_s("fits");
         if (remedy == Remedy::more_samples)
           return a_sample * fewest_more_samples;
-        return 2. * budget_.spent_on_s("shapes of least energy") + budget_.spent_on_s("fits") +
-               1.2 * a_sample * options_.n_samples;
+        const double anew = 2. * budget_.spent_on_s("shapes of least energy") + budget_.spent_on_s("fits") +
+                            1.2 * a_sample * options_.n_samples;
+        return remedy == Remedy::another_mode ? anew : anew + .3 * budget_.spent_on_s("full-order runs");
       }
 
       /// Empty if there is none.
@@ -90,8 +94,10 @@ namespace swimtwin
           current_->fit_finely();
         else if (remedy == Remedy::more_samples)
           current_->add_samples(n_more_samples());
-        else
+        else if (remedy == Remedy::another_mode)
           add_mode();
+        else
+          add_runs();
         take_stock(remedy);
       }
 
@@ -105,11 +111,65 @@ namespace swimtwin
         current_->make_model();
       }
 
+      /// Their shapes join those that modes and region are chosen from. Where these do for them as they are, samples
+      /// are added along them alone: what is there already is used, in either case.
+      void add_runs()
+      {
+        snapshots_before_ = options_.snapshots;
+        for (const auto &folder : runs_near_worst())
+          options_.snapshots.push_back(folder / "snapshots.h5");
+        before_ = std::move(current_);
+        const auto file =
+            fmt::format("samples-{}-runs.h5", training_design(options_.range).size() + added_runs_.size());
+        bring_samples(before_->sample_file(), options_.folder / file);
+        current_ =
+            std::make_unique<Training<dim>>(scene_, options_, before_->n_coordinates(), file, budget_, communicator_);
+        current_->make_model();
+      }
+
+      std::vector<std::filesystem::path> runs_near_worst()
+      {
+        TrainingRunOptions         runs{options_.folder / "runs", options_.command_line,
+                                training_run_overrides(options_.steps_per_period), progress("full-order runs")};
+        std::vector<RunParameters> members;
+        for (const auto &run : runs_near_the_worst(current_->model().record, options_.range, runs_at_once, added_runs_))
+        {
+          members.push_back(run.parameters);
+          runs.numbers.push_back(run.number);
+          added_runs_.push_back(run.number);
+        }
+        const auto folders = run_full_order(scene_, members, runs, communicator_);
+        budget_.book("full-order runs");
+        return folders;
+      }
+
+      void bring_samples(const std::filesystem::path &from, const std::filesystem::path &to) const
+      {
+        int rank;
+        MPI_Comm_rank(communicator_, &rank);
+        if (rank == 0 && !std::filesystem::exists(to))
+          std::filesystem::copy_file(from, to);
+        MPI_Barrier(communicator_);
+      }
+
+      /// Whether a held-out run that is further off than the target goes where no shape was.
+      bool leaves_shapes() const
+      {
+        const ReducedModel &model = current_->model();
+        return std::any_of(model.record.held_out_runs.begin(), model.record.held_out_runs.end(),
+                           [&](const HeldOutRun &run) {
+                             const RunParameters p{run.young_modulus_Pa, run.viscosity_Pa_s, run.magnetization_A_m,
+                                                   run.frequency_Hz,     run.bx_T,           run.by_T};
+                             return std::abs(relative_error(run, model.record)) > options_.target &&
+                                    !predict(model, scene_, p).trust.outside_region.empty();
+                           });
+      }
+
       void take_stock(const std::optional<Remedy> remedy)
       {
         const TrainingRecord &record = current_->model().record;
         const HeldOutError    error  = displacement_error(record);
-        attempts_.push_back({remedy, size_of(error), fit_share(record)});
+        attempts_.push_back({remedy, size_of(error), fit_share(record), leaves_shapes()});
         history_.push_back(fmt::format("{}{} modes, {} samples, {} monomials: {}; {:.0f} s of CPU time so far.",
                                        remedy ? text_of(*remedy) + ": " : "", current_->n_coordinates(),
                                        current_->n_samples(), current_->model().resistance.exponents.rows(),
@@ -121,8 +181,12 @@ namespace swimtwin
           best_       = current_->model();
           best_error_ = attempts_.back().error;
         }
-        else if (remedy == Remedy::another_mode)
+        else if (remedy == Remedy::another_mode || remedy == Remedy::more_runs)
+        {
           current_ = std::move(before_);
+          if (remedy == Remedy::more_runs)
+            options_.snapshots = snapshots_before_;
+        }
         else if (remedy == Remedy::finer_fit)
           current_->give_up_fine_fits();
       }
@@ -137,7 +201,8 @@ namespace swimtwin
       {
         return remedy == Remedy::finer_fit      ? "more monomials"
                : remedy == Remedy::more_samples ? "more samples"
-                                                : "another mode";
+               : remedy == Remedy::another_mode ? "another mode"
+                                                : "more runs near the worst";
       }
 
       std::function<void(int, int)> progress(const std::string &stage) const
@@ -194,20 +259,23 @@ namespace swimtwin
         record.history    = history_;
         record.history.push_back(fmt::format("CPU time: {}.", budget_.text()));
         if (!end.empty())
-          record.history.push_back(fmt::format("It ended because {}; {}.", end, cause_of(record)));
+          record.history.push_back(
+              fmt::format("It ended because {}; {}.", end, cause_of(record, current_->known_shares())));
         return best_;
       }
 
-      static constexpr int           fewest_more_samples = 100;
-      const Scene                   &scene_;
-      const TrainingOptions         &options_;
-      MPI_Comm                       communicator_;
-      CpuBudget                      budget_;
-      std::unique_ptr<Training<dim>> current_, before_;
-      ReducedModel                   best_;
-      double                         best_error_ = 0.;
-      std::vector<Attempt>           attempts_;
-      std::vector<std::string>       history_;
+      static constexpr int               fewest_more_samples = 100, runs_at_once = 2;
+      const Scene                       &scene_;
+      TrainingOptions                    options_; ///< with the shapes of runs that were added
+      MPI_Comm                           communicator_;
+      CpuBudget                          budget_;
+      std::unique_ptr<Training<dim>>     current_, before_;
+      ReducedModel                       best_;
+      double                             best_error_ = 0.;
+      std::vector<Attempt>               attempts_;
+      std::vector<std::string>           history_;
+      std::vector<int>                   added_runs_; ///< their numbers, of those that were taken back, too
+      std::vector<std::filesystem::path> snapshots_before_;
     };
   } // namespace
 

@@ -241,6 +241,12 @@ namespace swimtwin
   }
 
   template <int dim>
+  KnownShares Training<dim>::known_shares() const
+  {
+    return {share_of_displacement(pose_.on_way), share_of_displacement(model_.record.velocity_error_rms)};
+  }
+
+  template <int dim>
   void Training<dim>::choose_region(ShapeSampler &sampler)
   {
     region_            = region_around(shapes_seen_, options_.shape_margin);
@@ -429,8 +435,8 @@ namespace swimtwin
             : fmt::format("The place along the domain: over the {:.2g} mm that the body's middle "
                           "went in two periods, resistance changes by at most {:.2g} % (some {:.2g} % of "
                           "the displacement{}).",
-                          1e3 * wandering_.reach_m[0], 100. * pose_.on_way, 100. * share_of_displacement(pose_.on_way),
-                          share_of_displacement(pose_.on_way) > of_note ? "; a longer domain would help" : ""));
+                          1e3 * wandering_.reach_m[0], 100. * pose_.on_way, 100. * known_shares().place,
+                          known_shares().place > of_note ? "; a longer domain would help" : ""));
     if (!scene_.domain->moves_with_swimmer && !region_.depends_on_height)
       r.neglects.push_back(fmt::format("The height in the domain: over the {:.2g} mm from the usual one, resistance "
                                        "changes by at most {:.2g} % (some {:.2g} % of the displacement).",

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fom/body/swimmer.h>
+#include <rom/training/aim.h>
 #include <rom/training/cpu_budget.h>
 #include <rom/training/pose_dependence.h>
 #include <rom/training/resistance_fit.h>
@@ -41,9 +42,11 @@ namespace swimtwin
     /// Of the resistance, where the reduced swimmer goes and the fit is least sure.
     void add_samples(int n);
 
-    const ReducedModel &model() const { return model_; }
-    int                 n_coordinates() const { return basis_.n_coordinates(); }
-    int                 n_samples() const { return static_cast<int>(samples_.size()); }
+    const ReducedModel          &model() const { return model_; }
+    int                          n_coordinates() const { return basis_.n_coordinates(); }
+    int                          n_samples() const { return static_cast<int>(samples_.size()); }
+    KnownShares                  known_shares() const;
+    const std::filesystem::path &sample_file() const { return sample_file_; }
 
   private:
     void                     take_snapshots();

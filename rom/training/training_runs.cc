@@ -78,7 +78,8 @@ namespace swimtwin
     std::vector<std::filesystem::path> folders;
     for (std::size_t k = 0; k < runs.size(); ++k)
     {
-      folders.push_back(options.folder / fmt::format("run-{:02}", k + 1));
+      folders.push_back(options.folder / fmt::format("run-{:02}", options.numbers.empty() ? static_cast<int>(k) + 1
+                                                                                          : options.numbers[k]));
       if (static_cast<int>(k) % n_ranks != rank)
         continue;
       const Scene member = with_parameters(scene, runs[k], options.overrides);

@@ -30,8 +30,9 @@ namespace swimtwin
   {
     std::filesystem::path         folder;
     std::string                   command_line;
-    std::vector<std::string>      overrides;   ///< of the scene, beside the parameters
-    std::function<void(int, int)> on_progress; ///< runs done on this rank, and in all on it
+    std::vector<std::string>      overrides;    ///< of the scene, beside the parameters
+    std::function<void(int, int)> on_progress;  ///< runs done on this rank, and in all on it
+    std::vector<int>              numbers = {}; ///< of the runs' folders; empty: 1, 2, ...
   };
 
   /// Folder of each run, complete. Runs are shared out over ranks; those that are there already are not made again.

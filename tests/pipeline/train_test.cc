@@ -24,6 +24,12 @@ namespace swimtwin
         arguments.insert(arguments.end(), part.begin(), part.end());
       return arguments;
     }
+
+    std::size_t n_entries(const std::filesystem::path &folder)
+    {
+      const std::filesystem::directory_iterator all(folder);
+      return static_cast<std::size_t>(std::distance(begin(all), end(all)));
+    }
   } // namespace
 
   // Killed while it samples, gone on with, then swept: close to the full-order model even with two modes.
@@ -112,16 +118,21 @@ namespace swimtwin
     EXPECT_NEAR(run.reduced_displacement_m, run.displacement_m, .02 * run.displacement_m);
   }
 
-  // Two modes and few samples of a swimmer that needs more: the fit, samples or a mode are added, and it is said.
+  // Two modes and few samples of a swimmer that is to do what none can: fit, samples, a mode and runs are added, and it
+  // is said.
   TEST(Train, AimsUntilItsBudgetIsSpent)
   {
     const TemporaryFolder folder;
     const auto            results = folder.path / "model";
-    expect_failure(run_tool(train_arguments(results, {"--budget", "60s"}, "1e-5")), 1, {"misses its target"});
+    expect_failure(run_tool(train_arguments(results, {"--budget", "600s"}, "1e-5")), 1, {"misses its target"});
     const auto history = read_reduced_model(results / "model.h5").record.history;
     ASSERT_GE(history.size(), 4u); // the first model, one more at least, the time, the end
     EXPECT_EQ(history[0].find("2 modes, 9"), 0u) << history[0];
-    EXPECT_NE(history.back().find("It ended because"), std::string::npos);
+    EXPECT_NE(history.back().find("It ended because neither more samples, another mode nor more runs"),
+              std::string::npos)
+        << history.back();
+    EXPECT_EQ(n_entries(results / "runs"), 10u); // one near the one that is held out, beside the nine of the design
+    EXPECT_TRUE(std::filesystem::exists(results / "samples-10-runs.h5"));
     expect_failure(run_tool(train_arguments(results, {"--budget", "1s", "--resume"}, "1e-5")), 1,
                    {"misses its target"}); // the samples and runs are there already
   }
