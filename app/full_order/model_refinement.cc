@@ -8,6 +8,7 @@
 #include <rom/swimmer/carried_inertia.h>
 #include <rom/training/added_runs.h>
 #include <rom/training/aimed_training.h>
+#include <rom/training/training_runs.h>
 
 #include <fmt/format.h>
 
@@ -37,13 +38,15 @@ namespace swimtwin
     }
 
     /// Those that a model was refined with before, those of runs that were added to its training, and more.
-    std::vector<fs::path> all_shapes(const fs::path &folder_before, const std::vector<fs::path> &snapshots)
+    std::vector<fs::path> all_shapes(const fs::path &folder_before, const std::vector<int> &added_runs,
+                                     const std::vector<fs::path> &snapshots)
     {
       std::vector<fs::path> all;
       while (fs::exists(shape_file(folder_before, all.size())))
         all.push_back(shape_file(folder_before, all.size()));
-      for (const auto &added : added_run_folders(folder_before / "runs"))
-        all.push_back(added / "snapshots.h5");
+      for (const int number : added_runs)
+        if (const auto file = folder_before / "runs" / run_folder_name(number) / "snapshots.h5"; fs::exists(file))
+          all.push_back(file);
       all.insert(all.end(), snapshots.begin(), snapshots.end());
       return all;
     }
@@ -65,7 +68,7 @@ namespace swimtwin
     const fs::path  folder        = common.output / fmt::format("refined-{}", round);
     const fs::path  before_folder = before.file.parent_path();
     TrainingOptions options       = options_to_refine(before.model);
-    const auto      shapes        = all_shapes(before_folder, snapshots);
+    const auto      shapes        = all_shapes(before_folder, before.model.record.added_runs, snapshots);
     for (std::size_t i = 0; i < shapes.size(); ++i)
       options.snapshots.push_back(shape_file(folder, i));
     agree([&] {

@@ -190,8 +190,9 @@ namespace swimtwin
     double                   cpu_time_s        = 0.;
     double                   target            = 0.; ///< relative error that was aimed at; 0: it was not written down
     std::vector<HeldOutRun>  held_out_runs;
-    std::vector<std::string> neglects; ///< physics that the model leaves out, one sentence each, with its size
-    std::vector<std::string> history;  ///< how training came to its model and what it spent, one sentence each
+    std::vector<std::string> neglects;   ///< physics that the model leaves out, one sentence each, with its size
+    std::vector<int>         added_runs; ///< numbers of the full-order runs that were added to those of the design
+    std::vector<std::string> history;    ///< how training came to its model and what it spent, one sentence each
   };
 
   struct ReducedModel

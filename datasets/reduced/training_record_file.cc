@@ -1,6 +1,7 @@
 #include <datasets/files/hdf5_file.h>
 #include <datasets/reduced/training_record_file.h>
 
+#include <algorithm>
 #include <fmt/format.h>
 
 #include <sstream>
@@ -86,6 +87,10 @@ namespace swimtwin
     if (!record.held_out_runs.empty())
       writer.write_vector("/training/held_out_fit_changes_m", fit_changes_of(record.held_out_runs),
                           {"m", "what fits of the resistance to half of the samples change in the displacements"});
+    if (!record.added_runs.empty())
+      writer.write_vector("/training/added_runs",
+                          std::vector<double>(record.added_runs.begin(), record.added_runs.end()),
+                          {"1", "numbers of the full-order runs that were added near the worst of the held-out ones"});
     if (!record.history.empty())
       writer.write_text("/training/history", fmt::format("{}", fmt::join(record.history, "\n")),
                         {"1", "how training came to its model and what it spent, one sentence per line"});
@@ -111,6 +116,9 @@ namespace swimtwin
       reader.refuse("/training", "holds a value that is not finite; train the model again.");
     record.held_out_runs = runs_of(runs);
     read_fit_changes(reader, record.held_out_runs);
+    if (reader.contains("/training/added_runs"))
+      for (const double number : reader.read_vector("/training/added_runs"))
+        record.added_runs.push_back(static_cast<int>(std::clamp(number, 0., 1e9)));
     if (reader.contains("/training/history"))
       record.history = lines_of(reader.read_text("/training/history"));
     for_each_figure(record, [&](const char *name, auto &value) {

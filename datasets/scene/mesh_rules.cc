@@ -91,17 +91,17 @@ namespace swimtwin
     return scene.dimension == 3 ? expected_tetrahedra(scene) : expected_triangles(scene);
   }
 
-  double expected_tail_cells(const Scene &scene)
+  double expected_body_cells(const Scene &scene)
   {
-    if (!scene.tail)
-      return 0.;
-    const Tail  &tail   = *scene.tail;
-    const double height = tail.mean_height_m(), h = scene.numerics.mesh_size_m;
+    const double h = scene.numerics.mesh_size_m, length = scene.tail ? scene.tail->length_m : 0.;
+    const double height = scene.tail ? scene.tail->mean_height_m() : 0.;
     if (scene.dimension == 2)
-      return tail.length_m * height / (triangle * h * h);
-    const double section =
-        tail.section == TailSection::rectangular ? tail.width_m * height : .25 * std::numbers::pi * height * height;
-    return tail.length_m * section / (tetrahedron * h * h * h);
+      return length * height / (triangle * h * h);
+    const bool   is_film = scene.tail && scene.tail->section == TailSection::rectangular;
+    const double section = is_film ? scene.tail->width_m * height : .25 * std::numbers::pi * height * height;
+    const auto   head    = scene.head.size_m;
+    return length * section / (tetrahedron * h * h * h) +
+           std::numbers::pi * head[1] * (head[0] + .5 * head[1]) / (triangle * h * h);
   }
 
   void check_mesh(const TomlDocument &document, const Scene &scene)

@@ -20,8 +20,9 @@ namespace swimtwin
 
     struct Trials
     {
-      double smallest_m; ///< size that was tried; the scene's own if none was
-      bool   is_found;   ///< whether it works
+      double      smallest_m;          ///< size that was tried; the scene's own if none was
+      bool        is_found    = false; ///< whether it works
+      const char *why_no_more = "";    ///< empty if all were tried
     };
 
     Trials try_smaller_sizes(const Scene &scene, const FinerMesh &mesh)
@@ -31,7 +32,7 @@ namespace swimtwin
       {
         const Scene finer = with_mesh_size(scene, size / 2.);
         if (scene.dimension == 3 && mesh.expected_cells(finer) > most_cells_to_try)
-          break;
+          return {size, false, "smaller ones were not tried, whose meshes would take minutes"};
         try
         {
           if (mesh.is_meshed(finer))
@@ -39,7 +40,7 @@ namespace swimtwin
         }
         catch (const OutOfMemory &)
         {
-          break;
+          return {size, false, "for half of it memory does not suffice"};
         }
         catch (const ComputationError &)
         {
@@ -49,7 +50,7 @@ namespace swimtwin
         }
         size /= 2.;
       }
-      return {size, false};
+      return {size};
     }
 
     std::string settings(const Scene &scene, const double size_m)
@@ -63,16 +64,15 @@ namespace swimtwin
 
   void refuse_mesh_size(const Scene &scene, const ComputationError &error, const FinerMesh &mesh)
   {
-    const std::string refused   = fmt::format("{}: [numerics] mesh_size_m = {} m is too coarse: {}", scene.name,
-                                              scene.numerics.mesh_size_m, error.what());
-    const auto [size, is_found] = try_smaller_sizes(scene, mesh);
+    const std::string refused = fmt::format("{}: [numerics] mesh_size_m = {} m is too coarse: {}", scene.name,
+                                            scene.numerics.mesh_size_m, error.what());
+    const auto [size, is_found, why_no_more] = try_smaller_sizes(scene, mesh);
     if (is_found)
       throw InputError(fmt::format("{}; set {} (tried)", refused, settings(scene, size)));
     if (mesh.remedy.empty())
       throw ComputationError(error);
-    const std::string tried = size < scene.numerics.mesh_size_m
-                                  ? fmt::format("no size down to {:.2g} m does (tried)", size)
-                                  : "smaller ones were not tried, whose meshes would take minutes";
+    const std::string tried =
+        size < scene.numerics.mesh_size_m ? fmt::format("no size down to {:.2g} m does (tried)", size) : why_no_more;
     throw InputError(fmt::format("{}; {}: {}", refused, tried, mesh.remedy));
   }
 } // namespace swimtwin

@@ -102,7 +102,7 @@ namespace swimtwin
                           make_body_mesh<dim>(finer, communicator);
                           return true;
                         },
-                        [](const Scene &finer) { return 4. * expected_tail_cells(finer); }, // a folded one is made anew
+                        [](const Scene &finer) { return 4. * expected_body_cells(finer); }, // a folded one is made anew
                         is_folded ? "blunt the tail's tip, or let its thickness change more gently there" : ""});
     }
   }

@@ -142,6 +142,9 @@ namespace swimtwin
     }
     broadcast(coordinates, communicator);
     broadcast(soup.cells, communicator);
+    std::vector<char> letters(message.begin(), message.end());
+    broadcast(letters, communicator); // all ranks throw alike
+    message.assign(letters.begin(), letters.end());
     if (soup.cells.empty())
       refuse_mesh(dim, message);
     soup.vertices.clear();

@@ -3,8 +3,6 @@
 #include <datasets/reduced/held_out_error.h>
 #include <rom/training/explored_shapes.h>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -106,7 +104,7 @@ namespace swimtwin
   {
     std::vector<std::filesystem::path> folders;
     for (int number = first_candidate; number < first_candidate + n_candidates; ++number)
-      if (const auto folder = runs / fmt::format("run-{:02}", number);
+      if (const auto folder = runs / run_folder_name(number);
           std::filesystem::exists(folder / "summary.json") && std::filesystem::exists(folder / "snapshots.h5"))
         folders.push_back(folder);
     return folders;

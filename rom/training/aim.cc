@@ -32,6 +32,15 @@ namespace swimtwin
       return attempt.remedy == Remedy::another_mode || attempt.remedy == Remedy::more_runs;
     }
 
+    /// Whose model is the present one.
+    std::size_t last_kept(const std::vector<Attempt> &attempts)
+    {
+      std::size_t k = attempts.size() - 1;
+      while (k > 0 && starts_anew(attempts[k]) && !was_kept(attempts, k))
+        --k;
+      return k;
+    }
+
     /// On the samples of the present modes.
     bool fit_is_finest(const std::vector<Attempt> &attempts)
     {
@@ -78,22 +87,24 @@ namespace swimtwin
     return std::sqrt(sum / std::max<double>(1., static_cast<double>(record.held_out_runs.size())));
   }
 
-  std::optional<Remedy> next_remedy(const std::vector<Attempt> &attempts)
+  std::optional<Remedy> next_remedy(const std::vector<Attempt> &attempts, const std::function<bool(Remedy)> &can_be_had)
   {
     // It costs nothing, whatever the error comes from; its failure says little: samples may still be what is missing.
-    if (!fit_is_finest(attempts))
+    if (!fit_is_finest(attempts) && can_be_had(Remedy::finer_fit))
       return Remedy::finer_fit;
-    const bool samples_failed = has_failed(Remedy::more_samples, attempts),
-               runs_failed    = has_failed(Remedy::more_runs, attempts);
-    if (attempts.back().leaves_shapes && !runs_failed)
+    const bool     runs    = !has_failed(Remedy::more_runs, attempts) && can_be_had(Remedy::more_runs);
+    const bool     samples = !has_failed(Remedy::more_samples, attempts) && can_be_had(Remedy::more_samples);
+    const bool     mode    = !last_mode_failed(attempts) && can_be_had(Remedy::another_mode);
+    const Attempt &present = attempts[last_kept(attempts)];
+    if (present.leaves_shapes && runs)
       return Remedy::more_runs;
-    if (attempts.back().fit_share >= .5 * attempts.back().error && !samples_failed)
+    if (present.fit_share >= .5 * present.error && samples)
       return Remedy::more_samples;
-    if (!last_mode_failed(attempts))
+    if (mode)
       return Remedy::another_mode;
-    if (!samples_failed)
+    if (samples)
       return Remedy::more_samples;
-    return runs_failed ? std::nullopt : std::optional(Remedy::more_runs);
+    return runs ? std::optional(Remedy::more_runs) : std::nullopt;
   }
 
   std::string cause_of(const TrainingRecord &record, const KnownShares &shares)

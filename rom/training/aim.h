@@ -3,6 +3,7 @@
 
 #include <datasets/reduced/held_out_error.h>
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,10 +32,13 @@ namespace swimtwin
   /// Root mean square over the held-out runs, relative.
   double fit_share(const TrainingRecord &record);
 
-  /// After these attempts, of which the last missed the target: a finer fit on the same samples, which costs nothing;
-  /// then runs if held-out ones leave the region of shapes, samples if the fit makes at least half of the error, else a
-  /// mode; what did not lower the error by a tenth gives way to the others. Nothing if none did.
-  std::optional<Remedy> next_remedy(const std::vector<Attempt> &attempts);
+  /// After these attempts, of which the last missed the target, one that can be had: a finer fit on the same samples,
+  /// which costs nothing; then runs if held-out ones leave the region of shapes, samples if the fit makes at least half
+  /// of the error, else a mode; what did not lower the error by a tenth, or cannot be had, gives way to the others.
+  /// Nothing if none is left.
+  std::optional<Remedy> next_remedy(
+      const std::vector<Attempt>        &attempts,
+      const std::function<bool(Remedy)> &can_be_had = [](Remedy) { return true; });
 
   /// What is known by itself, and is worth at most this share of the displacement of a head that goes to and fro.
   struct KnownShares

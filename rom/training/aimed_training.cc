@@ -29,24 +29,20 @@ namespace swimtwin
     {
     public:
       AimedTraining(const Scene &scene, const TrainingOptions &options, const MPI_Comm communicator)
-          : scene_(scene), options_(options), communicator_(communicator), budget_(options.budget_s, communicator)
+          : scene_(scene), options_(options), communicator_(communicator), budget_(options.budget_s, communicator),
+            added_runs_(options.added_runs)
       {
       }
 
       ReducedModel run()
       {
-        current_ = std::make_unique<Training<dim>>(scene_, options_, options_.n_coordinates, "samples.h5", budget_,
-                                                   communicator_);
-        current_->make_model();
+        make_model(options_.n_coordinates);
         take_stock({});
         while (misses())
         {
-          const auto        remedy = next_remedy(attempts_);
-          const std::string reason =
-              remedy ? reason_against(*remedy)
-                     : "neither more samples, another mode nor more runs lowered the error by a tenth";
-          if (!reason.empty())
-            return concluded(reason);
+          const auto remedy = next_remedy(attempts_, [this](const Remedy r) { return reason_against(r).empty(); });
+          if (!remedy)
+            return concluded(reason_to_end());
           apply(*remedy);
         }
         return concluded("");
@@ -68,12 +64,22 @@ namespace swimtwin
         return remedy == Remedy::another_mode ? anew : anew + .3 * budget_.spent_on_s("full-order runs");
       }
 
+      std::string reason_to_end() const
+      {
+        for (const Remedy remedy : {Remedy::another_mode, Remedy::more_samples, Remedy::more_runs})
+          if (const auto reason = reason_against(remedy); !reason.empty())
+            return reason;
+        return "neither more samples, another mode nor more runs lowered the error by a tenth";
+      }
+
       /// Empty if there is none.
       std::string reason_against(const Remedy remedy) const
       {
         constexpr int most_modes = 8;
         if (remedy == Remedy::another_mode && current_->n_coordinates() >= most_modes)
           return fmt::format("a model of more than {} modes would be slow and hard to fit", most_modes);
+        if (remedy == Remedy::more_runs && next_runs().empty())
+          return "no other run of the range is near the worst ones";
         if (expected_cost_s(remedy) > budget_.left_s())
           return fmt::format("what is left of the --budget of {:.0f} s of CPU time does not suffice for {}",
                              budget_.limit_s(), text_of(remedy));
@@ -101,30 +107,44 @@ namespace swimtwin
         take_stock(remedy);
       }
 
-      /// The models before stay what is refined if the new one is not better.
-      void add_mode()
+      void make_model(const int n_coordinates)
       {
-        const int n     = current_->n_coordinates() + 1;
-        before_         = std::move(current_);
-        const auto file = fmt::format("samples-{}-modes.h5", n);
-        current_        = std::make_unique<Training<dim>>(scene_, options_, n, file, budget_, communicator_);
+        const bool  as_asked = n_coordinates == options_.n_coordinates;
+        std::string name     = as_asked ? "samples" : fmt::format("samples-{}-modes", n_coordinates);
+        SampleFiles files    = {name + ".h5", name + ".h5"};
+        const auto  n_runs   = training_design(options_.range).size() + added_runs_.size();
+        if (!added_runs_.empty())
+          files.with_given = fmt::format("{}-{}-runs.h5", name, n_runs);
+        current_ = std::make_unique<Training<dim>>(scene_, options_, n_coordinates, files, budget_, communicator_);
         current_->make_model();
       }
 
+      /// The models before stay what is refined if the new one is not better.
+      void add_mode()
+      {
+        before_ = std::move(current_);
+        make_model(before_->n_coordinates() + 1);
+      }
+
       /// Their shapes join those that modes and region are chosen from. Where these do for them as they are, samples
-      /// are added along them alone: what is there already is used, in either case.
+      /// are added along them alone. The model gets as many samples and as fine a fit as the one before, which it is
+      /// compared with.
       void add_runs()
       {
-        snapshots_before_ = options_.snapshots;
+        options_before_ = options_;
         for (const auto &folder : runs_near_worst())
           options_.snapshots.push_back(folder / "snapshots.h5");
         before_ = std::move(current_);
-        const auto file =
-            fmt::format("samples-{}-runs.h5", training_design(options_.range).size() + added_runs_.size());
-        bring_samples(before_->sample_file(), options_.folder / file);
-        current_ =
-            std::make_unique<Training<dim>>(scene_, options_, before_->n_coordinates(), file, budget_, communicator_);
-        current_->make_model();
+        make_model(before_->n_coordinates());
+        if (const int missing = before_->n_samples() - current_->n_samples(); missing > fewest_more_samples / 10)
+          current_->add_samples(missing);
+        if (before_->is_fine())
+          current_->fit_finely();
+      }
+
+      std::vector<AddedRun> next_runs() const
+      {
+        return runs_near_the_worst(current_->model().record, options_.range, runs_at_once, added_runs_);
       }
 
       std::vector<std::filesystem::path> runs_near_worst()
@@ -132,24 +152,16 @@ namespace swimtwin
         TrainingRunOptions         runs{options_.folder / "runs", options_.command_line,
                                 training_run_overrides(options_.steps_per_period), progress("full-order runs")};
         std::vector<RunParameters> members;
-        for (const auto &run : runs_near_the_worst(current_->model().record, options_.range, runs_at_once, added_runs_))
+        for (const auto &run : next_runs())
         {
           members.push_back(run.parameters);
           runs.numbers.push_back(run.number);
           added_runs_.push_back(run.number);
+          options_.added_runs.push_back(run.number);
         }
         const auto folders = run_full_order(scene_, members, runs, communicator_);
         budget_.book("full-order runs");
         return folders;
-      }
-
-      void bring_samples(const std::filesystem::path &from, const std::filesystem::path &to) const
-      {
-        int rank;
-        MPI_Comm_rank(communicator_, &rank);
-        if (rank == 0 && !std::filesystem::exists(to))
-          std::filesystem::copy_file(from, to);
-        MPI_Barrier(communicator_);
       }
 
       /// Whether a held-out run that is further off than the target goes where no shape was.
@@ -178,14 +190,16 @@ namespace swimtwin
         report_stage(history_.back());
         if (attempts_.size() == 1 || attempts_.back().error < best_error_)
         {
-          best_       = current_->model();
-          best_error_ = attempts_.back().error;
+          best_                   = current_->model();
+          best_shares_            = current_->known_shares();
+          best_.record.added_runs = options_.added_runs;
+          best_error_             = attempts_.back().error;
         }
         else if (remedy == Remedy::another_mode || remedy == Remedy::more_runs)
         {
           current_ = std::move(before_);
           if (remedy == Remedy::more_runs)
-            options_.snapshots = snapshots_before_;
+            options_ = options_before_;
         }
         else if (remedy == Remedy::finer_fit)
           current_->give_up_fine_fits();
@@ -259,23 +273,22 @@ namespace swimtwin
         record.history    = history_;
         record.history.push_back(fmt::format("CPU time: {}.", budget_.text()));
         if (!end.empty())
-          record.history.push_back(
-              fmt::format("It ended because {}; {}.", end, cause_of(record, current_->known_shares())));
+          record.history.push_back(fmt::format("It ended because {}; {}.", end, cause_of(record, best_shares_)));
         return best_;
       }
 
-      static constexpr int               fewest_more_samples = 100, runs_at_once = 2;
-      const Scene                       &scene_;
-      TrainingOptions                    options_; ///< with the shapes of runs that were added
-      MPI_Comm                           communicator_;
-      CpuBudget                          budget_;
-      std::unique_ptr<Training<dim>>     current_, before_;
-      ReducedModel                       best_;
-      double                             best_error_ = 0.;
-      std::vector<Attempt>               attempts_;
-      std::vector<std::string>           history_;
-      std::vector<int>                   added_runs_; ///< their numbers, of those that were taken back, too
-      std::vector<std::filesystem::path> snapshots_before_;
+      static constexpr int           fewest_more_samples = 100, runs_at_once = 2;
+      const Scene                   &scene_;
+      TrainingOptions                options_, options_before_; ///< with the shapes of runs that were added
+      MPI_Comm                       communicator_;
+      CpuBudget                      budget_;
+      std::unique_ptr<Training<dim>> current_, before_;
+      ReducedModel                   best_;
+      KnownShares                    best_shares_;
+      double                         best_error_ = 0.;
+      std::vector<Attempt>           attempts_;
+      std::vector<std::string>       history_;
+      std::vector<int>               added_runs_; ///< their numbers, of those that were taken back, too
     };
   } // namespace
 

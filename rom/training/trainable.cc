@@ -51,6 +51,7 @@ namespace swimtwin
     options.n_coordinates = model.n_modes();
     if (model.record.n_resistance_samples > 0)
       options.n_samples = model.record.n_resistance_samples;
+    options.added_runs = model.record.added_runs;
     options.known_runs = model.record.held_out_runs;
     options.n_held_out = static_cast<int>(options.known_runs.size());
     if (model.record.target > 0.)

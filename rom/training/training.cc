@@ -34,10 +34,10 @@ namespace swimtwin
 
   template <int dim>
   Training<dim>::Training(const Scene &scene, const TrainingOptions &options, const int n_coordinates,
-                          const std::string &sample_file, CpuBudget &budget, const MPI_Comm communicator)
-      : scene_(scene), options_(options), n_coordinates_(n_coordinates), sample_file_(options.folder / sample_file),
-        budget_(budget), communicator_(communicator), swimmer_(scene, MPI_COMM_SELF),
-        tail_(RunRecorder<dim>(scene).snapshots(swimmer_)), space_(make_tail_space<dim>(tail_, swimmer_.tail().mesh))
+                          const SampleFiles &files, CpuBudget &budget, const MPI_Comm communicator)
+      : scene_(scene), options_(options), n_coordinates_(n_coordinates), files_(files), budget_(budget),
+        communicator_(communicator), swimmer_(scene, MPI_COMM_SELF), tail_(RunRecorder<dim>(scene).snapshots(swimmer_)),
+        space_(make_tail_space<dim>(tail_, swimmer_.tail().mesh))
   {
   }
 
@@ -53,6 +53,7 @@ namespace swimtwin
       sources_.insert(sources_.end(), options_.snapshots.begin(), options_.snapshots.end());
       sets_.insert(sets_.end(), given_.begin(), given_.end());
       given_.clear();
+      files_.of_runs = files_.with_given;
       choose_shapes();
       used_.assign(shapes_seen_.begin() + static_cast<std::ptrdiff_t>(n_own), shapes_seen_.end());
     }
@@ -71,7 +72,7 @@ namespace swimtwin
     follow_head();
     model_       = assemble_body(swimmer_, tail_, basis_);
     model_.range = options_.range;
-    store_       = std::make_unique<SampleStore>(sample_file_, key_of_samples());
+    store_       = std::make_unique<SampleStore>(options_.folder / files_.of_runs, key_of_samples());
     resistance_  = std::make_unique<ShapeResistance<dim>>(swimmer_, basis_, wandering_.usual);
     sampler_     = std::make_unique<ShapeSampler>([this](const ShapePoint &point) { return resistance_->at(point); },
                                               basis_.n_coordinates(), *store_, communicator_);

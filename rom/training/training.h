@@ -22,6 +22,11 @@
 
 namespace swimtwin
 {
+  struct SampleFiles
+  {
+    std::string of_runs, with_given;
+  };
+
   /// A model with a given number of coordinates, and all that it was made from, so that it can be made better. Scene,
   /// options and budget must live as long. Every member that does work is collective, and leaves the model with the
   /// record of what it is worth. In the dimensions of the scene; in space motions keep to the plane of x and y.
@@ -29,8 +34,9 @@ namespace swimtwin
   class Training
   {
   public:
-    /// The samples of the resistance are kept in this file of the folder.
-    Training(const Scene &scene, const TrainingOptions &options, int n_coordinates, const std::string &sample_file,
+    /// The samples of the resistance are kept in a file of the folder, in another one if modes or region of the runs'
+    /// shapes do not do for those given too.
+    Training(const Scene &scene, const TrainingOptions &options, int n_coordinates, const SampleFiles &files,
              CpuBudget &budget, MPI_Comm communicator);
 
     /// Throws InputError for snapshots of another swimmer, ComputationError where no resistance can be had.
@@ -39,14 +45,14 @@ namespace swimtwin
     void fit_finely();
     /// What comes after is fitted as usual.
     void give_up_fine_fits() { is_fine_ = false; }
+    bool is_fine() const { return is_fine_; }
     /// Of the resistance, where the reduced swimmer goes and the fit is least sure.
     void add_samples(int n);
 
-    const ReducedModel          &model() const { return model_; }
-    int                          n_coordinates() const { return basis_.n_coordinates(); }
-    int                          n_samples() const { return static_cast<int>(samples_.size()); }
-    KnownShares                  known_shares() const;
-    const std::filesystem::path &sample_file() const { return sample_file_; }
+    const ReducedModel &model() const { return model_; }
+    int                 n_coordinates() const { return basis_.n_coordinates(); }
+    int                 n_samples() const { return static_cast<int>(samples_.size()); }
+    KnownShares         known_shares() const;
 
   private:
     void                     take_snapshots();
@@ -80,7 +86,7 @@ namespace swimtwin
     const Scene                                              &scene_;
     const TrainingOptions                                    &options_;
     int                                                       n_coordinates_;
-    std::filesystem::path                                     sample_file_;
+    SampleFiles                                               files_;
     CpuBudget                                                &budget_;
     MPI_Comm                                                  communicator_;
     Swimmer<dim>                                              swimmer_;

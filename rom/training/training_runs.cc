@@ -69,6 +69,11 @@ namespace swimtwin
             "output.snapshots_per_period=30", "output.fields_per_period=0"};
   }
 
+  std::string run_folder_name(const int number)
+  {
+    return fmt::format("run-{:02}", number);
+  }
+
   std::vector<std::filesystem::path> run_full_order(const Scene &scene, const std::vector<RunParameters> &runs,
                                                     const TrainingRunOptions &options, const MPI_Comm communicator)
   {
@@ -78,8 +83,8 @@ namespace swimtwin
     std::vector<std::filesystem::path> folders;
     for (std::size_t k = 0; k < runs.size(); ++k)
     {
-      folders.push_back(options.folder / fmt::format("run-{:02}", options.numbers.empty() ? static_cast<int>(k) + 1
-                                                                                          : options.numbers[k]));
+      folders.push_back(options.folder /
+                        run_folder_name(options.numbers.empty() ? static_cast<int>(k) + 1 : options.numbers[k]));
       if (static_cast<int>(k) % n_ranks != rank)
         continue;
       const Scene member = with_parameters(scene, runs[k], options.overrides);

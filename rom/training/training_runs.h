@@ -35,6 +35,9 @@ namespace swimtwin
     std::vector<int>              numbers = {}; ///< of the runs' folders; empty: 1, 2, ...
   };
 
+  /// "run-07"
+  std::string run_folder_name(int number);
+
   /// Folder of each run, complete. Runs are shared out over ranks; those that are there already are not made again.
   /// Collective.
   std::vector<std::filesystem::path> run_full_order(const Scene &scene, const std::vector<RunParameters> &runs,

@@ -131,10 +131,12 @@ namespace swimtwin
     EXPECT_NE(history.back().find("It ended because neither more samples, another mode nor more runs"),
               std::string::npos)
         << history.back();
-    EXPECT_EQ(n_entries(results / "runs"), 10u); // one near the one that is held out, beside the nine of the design
-    EXPECT_TRUE(std::filesystem::exists(results / "samples-10-runs.h5"));
+    EXPECT_GE(n_entries(results / "runs"), 10u); // one near the one that is held out, beside the nine of the design
     expect_failure(run_tool(train_arguments(results, {"--budget", "1s", "--resume"}, "1e-5")), 1,
                    {"misses its target"}); // the samples and runs are there already
+    const auto spent = read_reduced_model(results / "model.h5").record.history;
+    EXPECT_NE(spent.back().find("It ended because what is left of the --budget of 1 s"), std::string::npos)
+        << spent.back();
   }
 
   // The plan's own shapes are trained on, and known full-order runs are not made again.

@@ -170,12 +170,14 @@ namespace swimtwin
     written.resistance.half_fits                 = {half, 2. * half};
     written.record.held_out_runs[1].fit_change_m = 7e-7;
     written.record.history                       = {"4 modes.", "5 modes."};
+    written.record.added_runs                    = {2001, 2072};
     write_reduced_model(folder.path / "model.h5", written, of_a_training);
     const ReducedModel read = read_reduced_model(folder.path / "model.h5");
     ASSERT_EQ(read.resistance.half_fits.size(), 2u);
     EXPECT_EQ(read.resistance.half_fits[1], 2. * half);
     EXPECT_EQ(read.record.held_out_runs[1].fit_change_m, 7e-7);
     EXPECT_EQ(read.record.history, written.record.history);
+    EXPECT_EQ(read.record.added_runs, written.record.added_runs);
     written.resistance.half_fits.pop_back();
     expect_in(broken_rule(written), "/resistance holds one fit to half of the samples");
   }

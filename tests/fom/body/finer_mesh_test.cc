@@ -78,7 +78,7 @@ namespace swimtwin
       throw OutOfMemory("memory ran out");
     };
     expect_in(message_of<InputError>([&] { refuse_mesh_size(with_size("reference-2d-paper"), fold, mesh); }),
-              "smaller ones were not tried");
+              "for half of it memory does not suffice: widen the gap");
     EXPECT_EQ(n_tried, 1);
   }
 } // namespace swimtwin

@@ -68,6 +68,17 @@ namespace swimtwin
     EXPECT_EQ(next_remedy(attempts), Remedy::more_samples);
   }
 
+  TEST(Aim, WhatCannotBeHadGivesWay)
+  {
+    const std::vector<Attempt> attempts{first(.03, .005), {Remedy::finer_fit, .03, .005, true}};
+    EXPECT_EQ(next_remedy(attempts, [](const Remedy r) { return r != Remedy::more_runs; }), Remedy::another_mode);
+    EXPECT_EQ(next_remedy(attempts, [](const Remedy r) { return r == Remedy::more_samples; }), Remedy::more_samples);
+    EXPECT_FALSE(next_remedy(attempts, [](Remedy) { return false; }));
+    EXPECT_EQ(next_remedy({first(.03, .005), {Remedy::finer_fit, .03, .005}, {Remedy::more_samples, .03, .005}},
+                          [](const Remedy r) { return r != Remedy::another_mode; }),
+              Remedy::more_runs);
+  }
+
   TEST(Aim, AModeMayHelpOnceRunsHave)
   {
     std::vector<Attempt> attempts{first(.03, .005),
