@@ -109,10 +109,10 @@ namespace swimtwin
 
       void make_model(const int n_coordinates)
       {
-        const bool  as_asked = n_coordinates == options_.n_coordinates;
-        std::string name     = as_asked ? "samples" : fmt::format("samples-{}-modes", n_coordinates);
-        SampleFiles files    = {name + ".h5", name + ".h5"};
-        const auto  n_runs   = training_design(options_.range).size() + added_runs_.size();
+        const bool        as_asked = n_coordinates == options_.n_coordinates;
+        const std::string name     = as_asked ? "samples" : fmt::format("samples-{}-modes", n_coordinates);
+        SampleFiles       files    = {name + ".h5", name + ".h5"};
+        const auto        n_runs   = training_design(options_.range).size() + added_runs_.size();
         if (!added_runs_.empty())
           files.with_given = fmt::format("{}-{}-runs.h5", name, n_runs);
         current_ = std::make_unique<Training<dim>>(scene_, options_, n_coordinates, files, budget_, communicator_);
