@@ -1,9 +1,9 @@
 #include <datasets/files/hdf5_file.h>
 #include <datasets/reduced/training_record_file.h>
 
-#include <algorithm>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <sstream>
 
 namespace swimtwin

@@ -13,7 +13,7 @@ namespace swimtwin
   namespace
   {
     constexpr int    first_candidate = 2001, n_candidates = 200; ///< of the range's members; held out are others
-    constexpr double least_distance = 0.03, as_shares_of = 1e-9;
+    constexpr double least_distance = 0.03, no_span = 1e-9;
 
     std::array<double, 3> groups(const HeldOutRun &run)
     {
@@ -50,7 +50,7 @@ namespace swimtwin
     {
       double sum = 0.;
       for (std::size_t c = 0; c < a.size(); ++c)
-        if (span[c] > as_shares_of)
+        if (span[c] > no_span)
           sum += std::pow((a[c] - b[c]) / span[c], 2);
       return std::sqrt(sum);
     }

@@ -170,10 +170,8 @@ namespace swimtwin
         const ReducedModel &model = current_->model();
         return std::any_of(model.record.held_out_runs.begin(), model.record.held_out_runs.end(),
                            [&](const HeldOutRun &run) {
-                             const RunParameters p{run.young_modulus_Pa, run.viscosity_Pa_s, run.magnetization_A_m,
-                                                   run.frequency_Hz,     run.bx_T,           run.by_T};
                              return std::abs(relative_error(run, model.record)) > options_.target &&
-                                    !predict(model, scene_, p).trust.outside_region.empty();
+                                    !predict(model, scene_, parameters_of(run)).trust.outside_region.empty();
                            });
       }
 

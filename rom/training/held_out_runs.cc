@@ -62,12 +62,10 @@ namespace swimtwin
   {
     for (HeldOutRun &run : runs)
     {
-      const SweepResult predicted = predict(
-          model, scene,
-          {run.young_modulus_Pa, run.viscosity_Pa_s, run.magnetization_A_m, run.frequency_Hz, run.bx_T, run.by_T});
-      run.reduced_displacement_m = predicted.displacement_m;
-      run.indicator_m            = predicted.error_indicator_m;
-      run.fit_change_m           = predicted.fit_change_m;
+      const SweepResult predicted = predict(model, scene, parameters_of(run));
+      run.reduced_displacement_m  = predicted.displacement_m;
+      run.indicator_m             = predicted.error_indicator_m;
+      run.fit_change_m            = predicted.fit_change_m;
     }
     return runs;
   }

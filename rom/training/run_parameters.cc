@@ -15,4 +15,9 @@ namespace swimtwin
             crest[0],
             crest[1]};
   }
+
+  RunParameters parameters_of(const HeldOutRun &run)
+  {
+    return {run.young_modulus_Pa, run.viscosity_Pa_s, run.magnetization_A_m, run.frequency_Hz, run.bx_T, run.by_T};
+  }
 } // namespace swimtwin

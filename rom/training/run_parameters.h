@@ -1,6 +1,7 @@
 // What one run differs in from the next.
 #pragma once
 
+#include <datasets/reduced/reduced_model.h>
 #include <datasets/scene/scene.h>
 
 namespace swimtwin
@@ -12,4 +13,6 @@ namespace swimtwin
 
   /// A scene's own. The field must be the reference sinusoid.
   RunParameters parameters_of(const Scene &scene);
+
+  RunParameters parameters_of(const HeldOutRun &run);
 } // namespace swimtwin

@@ -29,8 +29,8 @@ namespace swimtwin
     double                budget_s         = 3600.; ///< CPU time of all ranks: beyond it nothing is added to the model
     double                shape_margin     = 1.15;  ///< region that is sampled over the largest shape seen
     std::vector<std::filesystem::path> snapshots;   ///< more files of the same swimmer
-    std::vector<int>                   added_runs; ///< numbers of those that an earlier training added, not to be again
-    std::vector<HeldOutRun>            known_runs; ///< compared with instead of making n_held_out runs
+    std::vector<int>                   added_runs;  ///< numbers of runs that an earlier training added: not these again
+    std::vector<HeldOutRun>            known_runs;  ///< compared with instead of making n_held_out runs
     /// On every rank: work done and in all, of a stage of the training.
     std::function<void(const std::string &stage, int done, int total)> on_progress;
   };
