@@ -1,5 +1,7 @@
 #include <fom/geometry/cell_search.h>
 
+#include <fom/geometry/quadratic_shape.h>
+
 #include <boost/geometry/index/rtree.hpp>
 
 #include <algorithm>
@@ -42,7 +44,7 @@ namespace swimtwin
 
   template <int dim>
   CellSearch<dim>::CellSearch(const SimplexMesh<dim> &mesh, const std::vector<Point<dim>> &positions)
-      : mesh_(mesh), positions_(positions), quadratic_(2)
+      : mesh_(mesh), positions_(positions)
   {
     std::vector<std::pair<Box, unsigned int>> boxes;
     for (unsigned int c = 0; c < mesh.n_cells(); ++c)
@@ -62,12 +64,13 @@ namespace swimtwin
     const auto &nodes = mesh_.cells[cell];
     for (int step = 0; step < most_steps; ++step)
     {
+      const auto     shape    = quadratic_shape(result.reference);
       Tensor<1, dim> residual = x;
       Tensor<2, dim> jacobian;
       for (unsigned int a = 0; a < n_cell_nodes<dim>; ++a)
       {
-        residual -= quadratic_.shape_value(a, result.reference) * positions_[nodes[a]];
-        jacobian += outer_product(Tensor<1, dim>(positions_[nodes[a]]), quadratic_.shape_grad(a, result.reference));
+        residual -= shape.value[a] * positions_[nodes[a]];
+        jacobian += outer_product(Tensor<1, dim>(positions_[nodes[a]]), shape.gradient[a]);
       }
       const Tensor<1, dim> change = dealii::invert(jacobian) * residual;
       result.reference += change;
@@ -76,8 +79,7 @@ namespace swimtwin
       if (!(change.norm() < 10.))
         return std::nullopt;
     }
-    for (unsigned int a = 0; a < n_cell_nodes<dim>; ++a)
-      result.value[a] = quadratic_.shape_value(a, result.reference);
+    result.value   = quadratic_shape(result.reference).value;
     result.outside = violation<dim>(result.reference);
     return result;
   }

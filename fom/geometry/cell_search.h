@@ -4,7 +4,6 @@
 #include <fom/geometry/simplex_mesh.h>
 
 #include <deal.II/base/bounding_box.h>
-#include <deal.II/fe/fe_simplex_p.h>
 #include <deal.II/numerics/rtree.h>
 
 #include <optional>
@@ -49,7 +48,6 @@ namespace swimtwin
     using Box = dealii::BoundingBox<dim>;
     const SimplexMesh<dim>                     &mesh_;
     const std::vector<dealii::Point<dim>>      &positions_;
-    dealii::FE_SimplexP<dim>                    quadratic_;
     dealii::RTree<std::pair<Box, unsigned int>> boxes_;
   };
 } // namespace swimtwin

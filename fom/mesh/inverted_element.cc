@@ -1,5 +1,7 @@
 #include <fom/mesh/inverted_element.h>
 
+#include <fom/geometry/quadratic_shape.h>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,9 +17,6 @@ namespace swimtwin
   {
     template <int dim>
     using CellPositions = std::array<Point<dim>, n_cell_nodes<dim>>;
-
-    /// Vertices of the edges, in the order of their middles.
-    constexpr unsigned int edge_ends[6][2] = {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
 
     /// An edge of an element, and how far its middle is off the chord.
     struct CurvedEdge

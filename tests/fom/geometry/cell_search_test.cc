@@ -2,6 +2,7 @@
 #include <fom/geometry/cell_search.h>
 #include <tests/fom/shipped_scene.h>
 
+#include <deal.II/fe/fe_simplex_p.h>
 #include <gtest/gtest.h>
 
 #include <mpi.h>
