@@ -88,8 +88,7 @@ namespace swimtwin
     {
       const Clearance clearance = scene.domain ? swimmer_clearance(scene) : Clearance{};
       const bool      is_narrow = scene.domain && clearance.distance_m <= scene.numerics.mesh_size_m;
-      if (!is_narrow && dynamic_cast<const InvertedElement *>(&error) == nullptr &&
-          dynamic_cast<const CrossedSurfaces *>(&error) == nullptr)
+      if (!is_narrow && !failed_for_the_place(error))
         return {};
       return fmt::format("widen {}, blunt the corner, or lower mesh_growth and mesh_size_far_m",
                          is_narrow ? gap_in_words(clearance) : "the gap there");
@@ -134,6 +133,12 @@ namespace swimtwin
       }
     }
   } // namespace
+
+  bool failed_for_the_place(const ComputationError &error)
+  {
+    return dynamic_cast<const InvertedElement *>(&error) != nullptr ||
+           dynamic_cast<const CrossedSurfaces *>(&error) != nullptr;
+  }
 
   template <int dim>
   FluidMesh<dim> mesh_around(const Swimmer<dim> &swimmer, const Configuration<dim> &configuration,

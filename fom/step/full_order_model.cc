@@ -7,7 +7,6 @@
 #include <fom/body/given_motion.h>
 #include <fom/body/mesh_around.h>
 #include <fom/fluid/flow_transfer.h>
-#include <fom/mesh/inverted_element.h>
 #include <fom/step/step_formula.h>
 
 #include <algorithm>
@@ -77,7 +76,8 @@ namespace swimtwin
     start_at_rest();
     if (scene.fluid)
     {
-      remesh();
+      if (!remesh())
+        throw InputError(scene.name + ": " + why_no_mesh_);
       counts_.n_remeshes = 0; // the first mesh is not a remeshing
     }
     else
@@ -331,13 +331,13 @@ namespace swimtwin
         fluid->set_past(transfer_past(*fluid_, *fluid));
       use_fluid(std::move(fluid));
     }
-    catch (const InvertedElement &error)
-    {
-      why_no_mesh_ = error.what(); // the old mesh is still good, or shorter steps may be
-      return false;
-    }
     catch (const ComputationError &error)
     {
+      if (failed_for_the_place(error))
+      {
+        why_no_mesh_ = error.what(); // the old mesh is still good, or shorter steps may be
+        return false;
+      }
       std::ostringstream message;
       message << "at t = " << now_.time_s << " s " << error.what();
       throw ComputationError(message.str());
