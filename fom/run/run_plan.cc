@@ -28,7 +28,7 @@ namespace swimtwin
     double seconds_per_iteration(const double n_unknowns, const Scene &scene)
     {
       if (scene.dimension == 2)
-        return 0.028 * std::pow(n_unknowns / 7400., 1.2);
+        return 0.0205 * std::pow(n_unknowns / 7400., 1.2);
       return (solves_half(scene) ? 0.37 : 0.52) * std::pow(n_unknowns / 29e3, 1.4);
     }
     double memory_MB(const double n_unknowns, const int dimension, const bool iterative)

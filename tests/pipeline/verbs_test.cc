@@ -4,6 +4,8 @@
 #include <Eigen/Dense>
 #include <nlohmann/json.hpp>
 
+#include <regex>
+
 namespace swimtwin
 {
   namespace
@@ -102,6 +104,25 @@ namespace swimtwin
     EXPECT_GT(matrix(1, 1), matrix(0, 0));
   }
 
+  // Of factors that are kept beside new ones, too, which short runs do not have.
+  TEST(Verbs, PlanTellsTheMemoryThatARunTakes)
+  {
+    for (const ShrunkScene &scene :
+         {short_run, coarse_swimmer_in_space(.05), ShrunkScene{"vessel-3d", {"variant=quick"}},
+          ShrunkScene{"settling-sphere", {"variant=quick"}}})
+    {
+      SCOPED_TRACE(scene.name);
+      const TemporaryFolder folder;
+      const Outcome         plan = run_verb("plan", scene, {});
+      std::smatch           memory;
+      ASSERT_TRUE(std::regex_search(plan.out, memory, std::regex("memory +([0-9.]+) MB"))) << plan.out;
+      ASSERT_EQ(run_verb("simulate", scene, {"--output", folder.path.string(), "--quiet"}).exit_code, 0);
+      const double taken_MB = read_run_summary_json(folder.path / "summary.json").summary.peak_memory_MB;
+      EXPECT_GE(std::stod(memory[1]), .9 * taken_MB);
+      EXPECT_LE(std::stod(memory[1]), 2. * taken_MB);
+    }
+  }
+
   TEST(Verbs, ElementsInsideOutAreRefusedWithTheMeshSizeToUse)
   {
     const ShrunkScene coarse{
@@ -115,6 +136,18 @@ namespace swimtwin
                      {"rotating-disc: [numerics] mesh_size_m = 0.004 m", "inside out at (", "set mesh_size_m = "});
       EXPECT_FALSE(std::filesystem::exists(folder.path / "run/resistance.json"));
     }
+  }
+
+  // A wave of bending begins bent: its first mesh is no matter of a step.
+  TEST(Verbs, ElementsInsideOutAroundABentStartAreRefused)
+  {
+    const ShrunkScene     wave{"waving-swimmer",
+                           {"numerics.mesh_size_m=4e-3", "numerics.mesh_size_corner_m=4e-3",
+                                "numerics.mesh_size_far_m=8e-3", "tail.wave.angle_rad=2.0", "tail.wave.waves=2.0"}};
+    const TemporaryFolder folder;
+    expect_failure(run_verb("simulate", wave, {"--output", (folder.path / "run").string()}), 2,
+                   {"waving-swimmer: the fluid's mesh has an element inside out at (", "lower [numerics] mesh_size_m"});
+    EXPECT_FALSE(std::filesystem::exists(folder.path / "run/summary.json"));
   }
 
   // A plate of triangles 100 times as long as wide at its rim.
