@@ -16,10 +16,12 @@ namespace swimtwin
                               "build, or leave the option out");
   }
 
-  void write_flow_of_run(const Scene &, const ReducedModel &, double, const std::vector<ReducedSnapshot> &,
-                         const std::filesystem::path &, const std::function<void(int)> &)
+  std::vector<PlaneFlow> write_flow_of_run(const Scene &, const ReducedModel &, const RunRequest &,
+                                           const std::vector<ReducedSnapshot> &, const std::filesystem::path &,
+                                           const std::function<void(int)> &)
   {
     require_full_order_model("a flow", RanksAtWork::this_one);
+    return {};
   }
 
   double full_order_displacement_m(const Scene &, const std::filesystem::path &)

@@ -51,8 +51,9 @@ namespace swimtwin
     continue_in_full_order_program(RanksAtWork::all);
   }
 
-  void write_flow_of_run(const Scene &, const ReducedModel &, double, const std::vector<ReducedSnapshot> &,
-                         const std::filesystem::path &, const std::function<void(int)> &)
+  std::vector<PlaneFlow> write_flow_of_run(const Scene &, const ReducedModel &, const RunRequest &,
+                                           const std::vector<ReducedSnapshot> &, const std::filesystem::path &,
+                                           const std::function<void(int)> &)
   {
     continue_in_full_order_program(RanksAtWork::this_one);
   }

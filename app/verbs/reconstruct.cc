@@ -121,17 +121,17 @@ namespace swimtwin
       return summary;
     }
 
-    void write_flow_with_progress(const ReconstructCommand &command, const Scene &scene, const ReducedModel &model,
-                                  const RunRequest &request, const SwimmerRun &run)
+    std::vector<PlaneFlow> write_flow_with_progress(const ReconstructCommand &command, const ReducedRun &run,
+                                                    const std::vector<ReducedSnapshot> &snapshots)
     {
       const auto  start = std::chrono::steady_clock::now();
-      const int   n     = static_cast<int>(run.snapshots.size());
+      const int   n     = static_cast<int>(snapshots.size());
       ProgressBar bar(command.common.quiet);
-      write_flow_of_run(scene, model, request.drive.frequency_Hz, run.snapshots, command.common.output / "fields",
-                        [&](const int n_done) {
-                          const std::chrono::duration<double> so_far = std::chrono::steady_clock::now() - start;
-                          bar.show(n_done, n, n_done, so_far.count());
-                        });
+      return write_flow_of_run(run.scene, run.model, run.request, snapshots, command.common.output / "fields",
+                               [&](const int n_done) {
+                                 const std::chrono::duration<double> so_far = std::chrono::steady_clock::now() - start;
+                                 bar.show(n_done, n, n_done, so_far.count());
+                               });
     }
 
     void reconstruct_in_folder(const ReconstructCommand &command, const ReducedRun &run)
@@ -143,15 +143,19 @@ namespace swimtwin
       const SnapshotSet    shapes                         = reconstruct(model.tail, request.drive, motion.snapshots);
       const Provenance     provenance{
           current_program_version, common.command_line, scene.text, scene.hash, utc_time_now(), 0.};
+      std::vector<PlaneFlow> flows;
       if (command.with_flow)
-        write_flow_with_progress(command, scene, model, request, motion);
+      {
+        flows = write_flow_with_progress(command, run, motion.snapshots);
+        write_plane_flows(common.output / "flow.h5", flows, provenance);
+      }
       write_trajectory_csv(common.output / "trajectory.csv", motion.trajectory, model.dimension());
       write_snapshots(common.output / "snapshots.h5", shapes, provenance);
       write_run_summary_json(common.output / "summary.json", {summary, provenance});
 
       std::string warning;
       if (command.with_pictures)
-        draw_run(common.output, scene, motion.trajectory, summary, shapes, {}, warning);
+        draw_run(common.output, scene, motion.trajectory, summary, shapes, flows, warning);
       for (const std::string &each : summary.warnings)
         warn(each);
       if (!warning.empty())
@@ -193,7 +197,7 @@ namespace swimtwin
         ->check(CLI::Range(1e-13, 1e-2))
         ->capture_default_str();
     add_inertia_options(*verb, command->inertia);
-    verb->add_flag("--flow", command->with_flow, "Solve for the flow at each instant (fields/, for ParaView)");
+    verb->add_flag("--flow", command->with_flow, "Solve for the flow at each instant (fields/ for ParaView, flow.h5)");
     verb->add_flag("--pictures", command->with_pictures, "Draw the motion");
     add_common_options(*verb, command->common, OutputFolder::required);
     command->common.command_line = command_line;

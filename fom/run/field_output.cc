@@ -174,8 +174,8 @@ Render()
   template <int dim>
   FieldInstant<dim> instant_of(const FullOrderModel<dim> &model)
   {
-    return {model.now().time_s, model.swimmer(), model.now().configuration, model.fluid(),
-            model.coupling().fluid_values()};
+    const auto &[time_s, configuration, rates] = model.now();
+    return {time_s, model.swimmer(), configuration, rates, model.fluid(), model.coupling().fluid_values()};
   }
 
   template <int dim>

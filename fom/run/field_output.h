@@ -14,6 +14,7 @@ namespace swimtwin
     double                    time_s = 0.;
     const Swimmer<dim>       &swimmer;
     const Configuration<dim> &configuration;
+    const Rates<dim>         &rates;
     const FluidDomain<dim>   *fluid        = nullptr;
     std::vector<double>       fluid_values = {}; ///< of the fluid's rows; empty: the fluid is left out
   };

@@ -147,27 +147,23 @@ namespace swimtwin
     };
   } // namespace
 
-  bool is_flow_instant(const TimeSettings &time, const int grid_step)
+  bool is_flow_instant(const int n_steps, const int steps_per_period, const int step)
   {
-    const int n_steps = time.n_steps(), n_periods = n_steps / time.steps_per_period;
-    const int length = n_periods > 0 ? time.steps_per_period : n_steps,
-              end    = n_periods > 0 ? n_periods * length : n_steps;
+    const int n_periods = n_steps / steps_per_period;
+    const int length = n_periods > 0 ? steps_per_period : n_steps, end = n_periods > 0 ? n_periods * length : n_steps;
     for (int k = 1; k <= n_instants; ++k)
-      if (const int after = k * length / n_instants; after > 0 && grid_step == end - length + after)
+      if (const int after = k * length / n_instants; after > 0 && step == end - length + after)
         return true;
     return false;
   }
 
   template <int dim>
-  PlaneFlow flow_in_plane(const FullOrderModel<dim> &model)
+  PlaneFlow flow_in_plane(const FieldInstant<dim> &instant)
   {
-    const auto &[time_s, configuration, rates] = model.now();
-    const Swimmer<dim>     &swimmer            = model.swimmer();
-    const FluidDomain<dim> &fluid              = *model.fluid();
-    const auto              surface            = swimmer.surface(configuration);
-    const auto              chords             = section<dim>(swimmer, surface);
-    const SampledMesh<dim>  flow(fluid.mesh(), fluid.positions(),
-                                 nodal_velocity(fluid, model.coupling().fluid_values()));
+    const auto &[time_s, swimmer, configuration, rates, fluid, fluid_values] = instant;
+    const auto             surface                                           = swimmer.surface(configuration);
+    const auto             chords                                            = section<dim>(swimmer, surface);
+    const SampledMesh<dim> flow(fluid->mesh(), fluid->positions(), nodal_velocity(*fluid, fluid_values));
 
     std::optional<SampledMesh<dim>> tail;
     if (swimmer.has_tail())
@@ -207,6 +203,6 @@ namespace swimtwin
     return result;
   }
 
-  template PlaneFlow flow_in_plane<2>(const FullOrderModel<2> &);
-  template PlaneFlow flow_in_plane<3>(const FullOrderModel<3> &);
+  template PlaneFlow flow_in_plane<2>(const FieldInstant<2> &);
+  template PlaneFlow flow_in_plane<3>(const FieldInstant<3> &);
 } // namespace swimtwin

@@ -2,15 +2,15 @@
 #pragma once
 
 #include <datasets/run/plane_flow.h>
-#include <fom/step/full_order_model.h>
+#include <fom/run/field_output.h>
 
 namespace swimtwin
 {
-  /// Whether the flow is kept after this step of the time grid: at the quarters and the end of the last full period;
+  /// Whether the flow is kept after this step of a time grid: at the quarters and the end of the last full period;
   /// without one, of the whole run.
-  bool is_flow_instant(const TimeSettings &time, int grid_step);
+  bool is_flow_instant(int n_steps, int steps_per_period, int step);
 
-  /// At the model's present instant, which has a fluid that was solved for; every rank has it.
+  /// Of an instant with a fluid that was solved for. One rank can do it without the others.
   template <int dim>
-  PlaneFlow flow_in_plane(const FullOrderModel<dim> &model);
+  PlaneFlow flow_in_plane(const FieldInstant<dim> &instant);
 } // namespace swimtwin

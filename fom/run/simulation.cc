@@ -92,9 +92,10 @@ namespace swimtwin
         recorder_.note(model_, grid_step);
         if (fields_ && grid_step % field_interval() == 0)
           fields_->template write<dim>(instant_of(model_), grid_step / field_interval());
-        if (is_writer_ && options_.keeps_flow && is_flow_instant(scene_.time, grid_step) &&
+        if (is_writer_ && options_.keeps_flow &&
+            is_flow_instant(scene_.time.n_steps(), scene_.time.steps_per_period, grid_step) &&
             !model_.coupling().fluid_values().empty())
-          flows_.push_back(flow_in_plane(model_));
+          flows_.push_back(flow_in_plane(instant_of(model_)));
       }
 
       void advance_or_explain()

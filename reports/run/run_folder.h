@@ -20,7 +20,7 @@ namespace swimtwin
     std::optional<Scene>       scene;      ///< of the provenance; absent if this program cannot read it
     Trajectory                 trajectory; ///< empty when the run failed: what lies there is of an earlier one
     std::optional<SnapshotSet> snapshots;
-    std::vector<PlaneFlow>     flows;   ///< empty in runs of earlier versions, of reduced models and without a fluid
+    std::vector<PlaneFlow>     flows;   ///< empty without a fluid that was solved for, and of earlier versions
     std::string                warning; ///< what is absent and why, one sentence; empty when all is there
   };
 

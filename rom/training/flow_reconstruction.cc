@@ -4,7 +4,7 @@
 #include <fom/body/mesh_around.h>
 #include <fom/elastic/nodal_vector.h>
 #include <fom/resistance/motion_resistance.h>
-#include <fom/run/field_output.h>
+#include <fom/run/flow_in_plane.h>
 #include <rom/sweep/reconstruction.h>
 #include <rom/training/shape_sampler.h>
 
@@ -51,37 +51,42 @@ namespace swimtwin
     }
 
     template <int dim>
-    void write_flow_around(const Swimmer<dim> &swimmer, const ReducedTail &tail, const double frequency_Hz,
-                           const std::vector<ReducedSnapshot> &snapshots, const std::filesystem::path &folder,
-                           const std::function<void(int)> &on_progress)
+    std::vector<PlaneFlow> write_flow_around(const Swimmer<dim> &swimmer, const ReducedTail &tail,
+                                             const RunRequest &request, const std::vector<ReducedSnapshot> &snapshots,
+                                             const std::filesystem::path    &folder,
+                                             const std::function<void(int)> &on_progress)
     {
       require_same_tail(swimmer, tail);
-      FieldOutput fields(folder);
-      for (std::size_t i = 0; i < snapshots.size(); ++i)
+      FieldOutput            fields(folder);
+      std::vector<PlaneFlow> flows;
+      const int              n_steps = static_cast<int>(snapshots.size()) - 1;
+      for (int step = 0; step <= n_steps; ++step)
       {
-        const ReducedSnapshot &snapshot      = snapshots[i];
-        const auto             configuration = configuration_of(swimmer, tail, snapshot.state);
-        const FluidDomain<dim> fluid(swimmer.scene(), mesh_for_given_motions(swimmer, configuration, MPI_COMM_SELF),
-                                     configuration.pose);
-        fields.write<dim>({snapshot.phase / frequency_Hz, swimmer, configuration, &fluid,
-                           compute_flow(swimmer, fluid, configuration, rates_of<dim>(tail, snapshot))},
-                          static_cast<unsigned int>(i));
+        const ReducedSnapshot  &snapshot      = snapshots[step];
+        const auto              configuration = configuration_of(swimmer, tail, snapshot.state);
+        const auto              rates         = rates_of<dim>(tail, snapshot);
+        const FluidDomain<dim>  fluid(swimmer.scene(), mesh_for_given_motions(swimmer, configuration, MPI_COMM_SELF),
+                                      configuration.pose);
+        const FieldInstant<dim> instant{
+            snapshot.phase / request.drive.frequency_Hz,       swimmer, configuration, rates, &fluid,
+            compute_flow(swimmer, fluid, configuration, rates)};
+        fields.write(instant, static_cast<unsigned int>(step));
+        if (is_flow_instant(n_steps, request.samples_per_period, step))
+          flows.push_back(flow_in_plane(instant));
         if (on_progress)
-          on_progress(static_cast<int>(i) + 1);
+          on_progress(step + 1);
       }
+      return flows;
     }
   } // namespace
 
-  void write_flow(const Scene &scene, const ReducedModel &model, const double frequency_Hz,
-                  const std::vector<ReducedSnapshot> &snapshots, const std::filesystem::path &folder,
-                  const std::function<void(int)> &on_progress)
+  std::vector<PlaneFlow> write_flow(const Scene &scene, const ReducedModel &model, const RunRequest &request,
+                                    const std::vector<ReducedSnapshot> &snapshots, const std::filesystem::path &folder,
+                                    const std::function<void(int)> &on_progress)
   {
     const auto write = [&]<int dim>(const Swimmer<dim> &swimmer) {
-      write_flow_around(swimmer, model.tail, frequency_Hz, snapshots, folder, on_progress);
+      return write_flow_around(swimmer, model.tail, request, snapshots, folder, on_progress);
     };
-    if (scene.dimension == 3)
-      write(Swimmer<3>(scene, MPI_COMM_SELF));
-    else
-      write(Swimmer<2>(scene, MPI_COMM_SELF));
+    return scene.dimension == 3 ? write(Swimmer<3>(scene, MPI_COMM_SELF)) : write(Swimmer<2>(scene, MPI_COMM_SELF));
   }
 } // namespace swimtwin

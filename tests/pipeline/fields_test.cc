@@ -39,6 +39,45 @@ namespace swimtwin
     checked_times(folder.path / "fields");
   }
 
+  // Two ways to one flow: the full-order model's motion, and Stokes problems around the reduced model's.
+  TEST(Fields, OfAReducedRunHaveTheFullOrderModelsSpeeds)
+  {
+    const TemporaryFolder folder;
+    const ShrunkScene same{"", {"tail.young_modulus_Pa=8e4", "head.magnetization_A_m=2e5", "field.frequency_Hz=0.9"}};
+    std::vector<std::string> words{"reconstruct",
+                                   "reference-2d",
+                                   "--inertia",
+                                   "none",
+                                   "--flow",
+                                   "--instants",
+                                   "8",
+                                   "--set",
+                                   "time.periods=1",
+                                   "--output",
+                                   (folder.path / "reduced").string()};
+    for (const auto &setting : same.settings)
+      words.insert(words.end(), {"--set", setting});
+    const Outcome outcome = run_tool(words);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    simulate(coarse_swimmer(40, 1.).with(same.settings), folder.path / "full");
+    const auto full    = read_plane_flows(folder.path / "full/flow.h5"),
+               reduced = read_plane_flows(folder.path / "reduced/flow.h5");
+    ASSERT_EQ(full.size(), 4u);
+    ASSERT_EQ(reduced.size(), 4u);
+    const auto top_speed = [](const PlaneFlow &flow) { return flow.velocity_m_s.rowwise().norm().maxCoeff(); };
+    for (std::size_t k = 0; k < 4; ++k)
+    {
+      EXPECT_NEAR(reduced[k].time_s, full[k].time_s, 1e-9);
+      EXPECT_NEAR(top_speed(reduced[k]), top_speed(full[k]), .03 * top_speed(full[k]));
+      std::cout << top_speed(reduced[k]) / top_speed(full[k]) - 1. << std::endl;
+      for (const auto part : {SampledPart::fluid, SampledPart::head, SampledPart::tail})
+      {
+        const auto n_of = [&](const PlaneFlow &flow) { return (flow.part.array() == static_cast<int>(part)).count(); };
+        EXPECT_NEAR(n_of(reduced[k]), n_of(full[k]), .1 * n_of(full[k]));
+      }
+    }
+  }
+
   TEST(Fields, OfAResumedRunAreThoseOfAnUninterruptedOne)
   {
     const TemporaryFolder folder;
