@@ -156,7 +156,8 @@ namespace swimtwin
   void MotionMap<dim>::give(const unsigned int row, const double value)
   {
     given_.resize(n_rows(), 0.);
-    given_[row] = value;
+    const bool follows = kind_[row] == Kind::tied && kind_[masters_[row].front()] == Kind::tied;
+    given_[row]        = follows ? 0. : value;
   }
 
   template <int dim>

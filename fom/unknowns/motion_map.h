@@ -77,7 +77,8 @@ namespace swimtwin
     void close(const std::vector<unsigned int> &owner, bool head_is_free, MPI_Comm communicator);
 
     /// A prescribed value of one of a held head's velocities (m/s, rad/s), or an addition to what a row that is tied to
-    /// it has from there (a tail whose shape is given); any time before `set_rotation`.
+    /// it has from there (a tail whose shape is given); any time before `set_rotation`. Ignored for rows that follow
+    /// such a row, as images do: they have its value.
     void give(unsigned int row, double value);
 
     /// Turn the head: updates the coefficients of rows that move with it, also after `move_on_head` and `give`. Which

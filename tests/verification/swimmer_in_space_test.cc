@@ -98,6 +98,22 @@ namespace swimtwin
     EXPECT_LE(difference, 1e-8);
   }
 
+  // Such a tail begins bent, and half and whole have meshes of their own.
+  TEST(SwimmerInSpace, HalfOfAPrescribedWaveMovesAsTheWhole)
+  {
+    const std::vector<std::string> wave{"tail.law=prescribed", "tail.wave={angle_rad=0.5, frequency_Hz=0.5, waves=1}"};
+    std::vector<std::string>       off = wave;
+    off.push_back("numerics.symmetric_half=\"off\"");
+    const Scene half  = shipped_scene("reference-3d-paper", coarse(wave)),
+                whole = shipped_scene("reference-3d-paper", coarse(off));
+    const Swimmer<3> swimmer(half, MPI_COMM_WORLD);
+    const auto       end        = after(half, 3);
+    const double     difference = swimmer.relative_change(end, after(whole, 3)),
+                 way = swimmer.relative_change(end, FullOrderModel<3>(half, MPI_COMM_WORLD).now().configuration);
+    std::cout << "half and whole differ by " << difference << " of a motion of " << way << " body lengths" << std::endl;
+    EXPECT_LE(difference, 0.02 * way);
+  }
+
   // Without inertia all forces are then twice as large. Linear solvers end at another residual by round-off.
   TEST(SwimmerInSpace, DoublingViscosityStiffnessAndFieldChangesNothing)
   {

@@ -134,6 +134,32 @@ namespace swimtwin
       EXPECT_NEAR(rows[held.map.head_row(k)], expected[free.map.head_row(k)], rounding);
   }
 
+  // An image, or the middle of a linear tail's edge, has what it follows, and not that and its own.
+  TYPED_TEST(MotionMapTest, AGivenShapeIsNotAddedTwice)
+  {
+    constexpr int  dim = TestFixture::dimension;
+    MotionMap<dim> map(dim, 2 * dim, length_scale);
+    const auto     row = SmallMap<dim>::row;
+    for (int c = 0; c < dim; ++c)
+    {
+      map.tie(row(1, c), {map.head_row(c)});
+      map.reflect(row(2, c), row(1, c), c == 1 ? -1. : 1.);
+    }
+    map.close(std::vector<unsigned int>(map.n_rows(), 0), false, MPI_COMM_WORLD);
+    for (int c = 0; c < dim; ++c)
+    {
+      map.give(row(1, c), 3. + c);
+      map.give(row(2, c), (c == 1 ? -1. : 1.) * (3. + c));
+    }
+    map.set_rotation(some_rotation(std::integral_constant<int, dim>()));
+    const auto rows = map.expand(std::vector<double>(map.n_unknowns(), 0.));
+    for (int c = 0; c < dim; ++c)
+    {
+      EXPECT_EQ(rows[row(1, c)], 3. + c);
+      EXPECT_EQ(rows[row(2, c)], (c == 1 ? -1. : 1.) * (3. + c));
+    }
+  }
+
   TYPED_TEST(MotionMapTest, TiedRowsAreTheMeanOfTheirMasters)
   {
     constexpr int dim = TestFixture::dimension;
