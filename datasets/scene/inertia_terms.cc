@@ -177,9 +177,9 @@ namespace swimtwin
     InertiaShares      shares = inertia_shares(scene);
     if (terms.of_fluid())
       shares.fluid = 0.;
-    if (terms.tail)
+    if (terms.tail || scene.time.is_steady)
       shares.tail = 0.;
-    if (terms.head)
+    if (terms.head || scene.time.is_steady)
       shares.head = 0.;
     return shares.together();
   }

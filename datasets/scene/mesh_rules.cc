@@ -79,7 +79,7 @@ namespace swimtwin
         document.refuse("numerics",
                         document.find("numerics.mesh_size_far_m") != nullptr ? "mesh_size_far_m" : "mesh_size_m",
                         fmt::format("m would make a mesh of about {:.1g} {}; at most {:.0e} are possible: "
-                                    "enlarge mesh_size_m and mesh_size_far_m, or make [domain] smaller.",
+                                    "enlarge mesh_size_m, mesh_size_far_m or mesh_growth, or make [domain] smaller.",
                                     n, in_space ? "tetrahedra" : "triangles", n_most));
     }
   } // namespace

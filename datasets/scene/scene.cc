@@ -68,6 +68,13 @@ namespace swimtwin
     return std::any_of(walls.begin(), walls.end(),
                        [](const auto &entry) { return entry.second.condition == WallCondition::traction_free; });
   }
+
+  bool Domain::has_holding_wall() const
+  {
+    return std::any_of(walls.begin(), walls.end(),
+                       [](const auto &entry) { return entry.second.condition != WallCondition::traction_free; });
+  }
+
   int TimeSettings::n_steps() const
   {
     return static_cast<int>(std::lround(periods * steps_per_period));

@@ -83,6 +83,8 @@ namespace swimtwin
 
     /// Whether the fluid can leave or enter freely somewhere, which also fixes the pressure's level.
     bool has_traction_free_wall() const;
+    /// Whether a wall keeps the fluid from moving along with the swimmer as one rigid body.
+    bool has_holding_wall() const;
   };
 
   /// A head's given motion about its place and angle at rest: all of it times sin(2 pi f t + phase).

@@ -92,6 +92,10 @@ namespace swimtwin
       const std::string shape(name_of(head.shape, dimension));
       refuse_entry(document, "head", other, fmt::format("does not belong to the shape {}; give {}.", shape, needed));
       need_entry(document, "head", needed, fmt::format("the shape {} needs it, in m", shape));
+      constexpr double thinnest = 1e-6;
+      if (const auto [thin, thick] = std::minmax(head.size_m[0], head.size_m[1]); !disc && thin < thinnest * thick)
+        document.refuse("head", "size_m",
+                        fmt::format("m is too thin to be meshed: one side needs {} of the other at least.", thinnest));
     }
 
     void check_domain_entries(const TomlDocument &document, const Domain &domain)
@@ -296,6 +300,10 @@ namespace swimtwin
         check_wall(document, domain, name, wall);
       check_inflow_has_outflow(document, domain);
       check_moving_domain(document, scene);
+      if (!domain.has_holding_wall() && scene.head.is_free() && !inertia_terms(scene).unsteady)
+        document.refuse("domain", "walls",
+                        "leaves every wall traction-free: without inertia nothing keeps fluid and "
+                        "swimmer from moving along together; make one of them \"no-slip\".");
     }
 
     void check_clearance(const TomlDocument &document, const Scene &scene)

@@ -167,7 +167,7 @@ namespace swimtwin
     if (const std::optional<int> value = read_integer(key, *node, rule))
       target = *value;
     else
-      wrong_type(key, "a whole number");
+      wrong_type(key, "a whole number without point or exponent");
   }
 
   void TomlTable::integers(const std::string &key, const NumberRule &rule, std::vector<int> &target)

@@ -73,14 +73,15 @@ namespace swimtwin
     /// Of a body in motion, whose surface is meshed already.
     [[noreturn]] void say_remedy(const ComputationError &error, const Scene &scene)
     {
-      if (const auto *crossed = dynamic_cast<const CrossedSurfaces *>(&error))
-        throw CrossedSurfaces(fmt::format("{}; lower [numerics] mesh_size_m = {} m, or keep the swimmer from the wall",
-                                          crossed->what(), scene.numerics.mesh_size_m));
-      if (dynamic_cast<const InvertedElement *>(&error) == nullptr)
-        throw ComputationError(error);
-      throw InvertedElement(scene.head.surface ? fmt::format("{}; mesh the surface anew, finer", error.what())
-                                               : fmt::format("{}; lower [numerics] mesh_size_m = {} m", error.what(),
-                                                             scene.numerics.mesh_size_m));
+      const std::string wave = scene.tail && scene.tail->is_driven() ? ", or [tail.wave] angle_rad or waves" : "";
+      const std::string finer =
+          scene.head.surface ? "mesh the surface anew, finer"
+                             : fmt::format("lower [numerics] mesh_size_m = {} m{}", scene.numerics.mesh_size_m, wave);
+      if (dynamic_cast<const CrossedSurfaces *>(&error) != nullptr)
+        throw CrossedSurfaces(fmt::format("{}; {}, or keep the swimmer from the wall", error.what(), finer));
+      if (dynamic_cast<const InvertedElement *>(&error) != nullptr)
+        throw InvertedElement(fmt::format("{}; {}", error.what(), finer));
+      throw ComputationError(wave.empty() ? error.what() : fmt::format("{}; {}", error.what(), finer));
     }
 
     /// What a geometry needs whose fluid is not meshed at any size: empty if that is not the geometry's fault.

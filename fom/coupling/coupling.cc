@@ -4,6 +4,10 @@
 #include <fom/coupling/fixed_point_coupling.h>
 #include <fom/coupling/monolithic_coupling.h>
 
+#include <datasets/scene/dimensionless_groups.h>
+
+#include <fmt/ranges.h>
+
 namespace swimtwin
 {
   using namespace dealii;
@@ -34,6 +38,33 @@ namespace swimtwin
 
   namespace
   {
+    std::string shorter_steps(const Scene &scene)
+    {
+      return scene.time.is_steady ? "leave out [time] steady and follow the flow in time"
+                                  : "raise [time] steps_per_period (or steps)";
+    }
+
+    /// The scene's own, of what may be larger than it was meant.
+    std::string what_drives(const Scene &scene)
+    {
+      std::vector<std::string> values;
+      if (scene.head.magnetization_A_m != 0. || (scene.tail && scene.tail->magnetization_A_m != 0.))
+        values.insert(values.end(), {"the field", "magnetization_A_m"});
+      if (scene.gravity.acceleration_m_s2 != decltype(scene.gravity.acceleration_m_s2){})
+        values.emplace_back("[gravity]");
+      if (largest_imposed_speed_m_s(scene) > 0.)
+        values.emplace_back("the imposed speeds");
+      if (scene.tail && scene.tail->is_elastic())
+        values.emplace_back("young_modulus_Pa");
+      return fmt::format("{}", fmt::join(values, ", "));
+    }
+
+    std::string are_small_enough(const Scene &scene)
+    {
+      return fmt::format("; swimtwin plan says whether {} are small enough for the flow's speed",
+                         scene.time.is_steady ? "cells" : "cells and steps");
+    }
+
     std::string finer_mesh(const Scene &scene)
     {
       return scene.head.surface ? "mesh the body's surface finer" : "refine [numerics] mesh_size_m";
@@ -45,27 +76,25 @@ namespace swimtwin
     switch (outcome)
     {
     case StepOutcome::mesh_inverted:
-      return finer_mesh(scene) + " or raise [time] steps_per_period; if the body comes close to a wall or to itself, "
-                                 "contact is not modelled";
+      return finer_mesh(scene) + " or " + shorter_steps(scene) +
+             "; if the body comes close to a wall or to itself, "
+             "contact is not modelled";
     case StepOutcome::tail_inverted:
     case StepOutcome::tail_equilibrium_failed:
       if (scene.tail->is_driven())
         return "the bending of [tail.wave] turns elements inside out: lower its angle_rad or its number of waves";
       return scene.tail->law == MaterialModel::st_venant_kirchhoff
                  ? "the tail is compressed beyond what the St Venant-Kirchhoff law can bear, or the step is too long: "
-                   "use "
-                   "[tail] law = \"neo-hookean\", raise [time] steps_per_period, or check young_modulus_Pa, "
-                   "magnetization_A_m and the field"
-                 : "raise [time] steps_per_period, or check young_modulus_Pa, magnetization_A_m and the field";
+                   "use [tail] law = \"neo-hookean\", " +
+                       shorter_steps(scene) + ", or check " + what_drives(scene)
+                 : shorter_steps(scene) + ", or check " + what_drives(scene);
     case StepOutcome::unstable_equilibrium:
       return "raise [time] steps_per_period or [numerics] max_step_halvings, or check magnetization_A_m and the field";
-    case StepOutcome::coupling_diverged:
-      return std::string(
-                 "raise [time] steps_per_period, or check that the field, magnetization_A_m and young_modulus_Pa "
-                 "are what you meant") +
-             (scene.fluid && inertia_terms(scene).of_fluid()
-                  ? "; swimtwin plan says whether cells and steps are small enough for the flow's speed"
-                  : "");
+    case StepOutcome::coupling_diverged: {
+      const bool has_speed = scene.fluid && inertia_terms(scene).of_fluid();
+      return fmt::format("{}, or check that the scene's values are what you meant ({}){}", shorter_steps(scene),
+                         what_drives(scene), has_speed ? are_small_enough(scene) : "");
+    }
     default:
       return finer_mesh(scene) + ", or check that the scene's values are what you meant";
     }

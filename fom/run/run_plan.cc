@@ -121,7 +121,9 @@ namespace swimtwin
             {"inertia", fmt::format("estimated share of the displacement: fluid {:.2g} %, tail {:.2g} %, "
                                     "head {:.2g} %; \"auto\" keeps what is above {:.1g} %",
                                     100. * fluid, 100. * tail, 100. * head, 100. * negligible_share)});
-      if (terms.unsteady)
+      if (scene.time.is_steady && terms.of_fluid())
+        plan.solved.push_back({"fluid inertia", "convective term, of a steady state"});
+      else if (terms.unsteady)
         plan.solved.push_back({"fluid inertia", terms.convective ? "unsteady and convective terms, ALE, BDF2"
                                                                  : "unsteady term alone, ALE, BDF2"});
       else if (terms.convective)

@@ -139,6 +139,15 @@ namespace swimtwin
     EXPECT_EQ(inertia_terms(reference(heavy)), (InertiaTerms{.head = true}));
   }
 
+  TEST(InertiaTermsOfAuto, LeaveOutNothingOfABodyThatComesToRest)
+  {
+    const Scene steady = read_scene(datasets / "scenes/fsi1.toml", {"fluid.inertia=auto"});
+    ASSERT_TRUE(steady.time.is_steady);
+    EXPECT_GT(inertia_shares(steady).tail, negligible_share);
+    EXPECT_FALSE(inertia_terms(steady).tail);
+    EXPECT_EQ(inertia_warning(steady), "");
+  }
+
   TEST(InertiaTermsOfAuto, NeedsACouplingThatCarriesThem)
   {
     const Scene scene = reference({"numerics.coupling=fixed-point"});

@@ -143,7 +143,8 @@ namespace swimtwin
               "scene.toml:4: [fluid] viscosity_Pa_s = \"thick\" has the wrong type; a number in Pa s is needed.");
     expect_in(message_after("[40e-3, 20e-3]", "[40e-3]"), "an array of two numbers [x, y] in m is needed");
     expect_in(message_after("[40e-3, 20e-3]", "[40e-3, \"b\"]"), "scene.toml:7: [domain] size_m");
-    expect_in(message_after("steps_per_period = 100", "steps_per_period = 99.5"), "a whole number is needed");
+    expect_in(message_after("steps_per_period = 100", "steps_per_period = 99.5"),
+              "a whole number without point or exponent is needed");
     expect_in(message_after("shape = \"box\"", "shape = 3"),
               "one of \"box\", \"channel\", \"disc\", \"annulus\" is needed");
     expect_in(message_for(swimmer_toml, {"numerics.mirror_meshes=1"}), "true or false is needed");

@@ -256,6 +256,22 @@ namespace swimtwin
                    "inflows need a straight wall");
   }
 
+  TEST(SceneRules, AFreeSwimmerWithoutInertiaNeedsAWallThatHoldsTheFluid)
+  {
+    const std::string open = "domain.walls={left=\"traction-free\", right=\"traction-free\", "
+                             "bottom=\"traction-free\", top=\"traction-free\"}";
+    expect_refused({open, "fluid.inertia=none"}, "[domain.walls] leaves every wall traction-free");
+    expect_accepted(swimmer_toml, {open, "fluid.inertia=full"});
+    expect_accepted(swimmer_toml, {open, "fluid.inertia=none", "domain.walls.top=no-slip"});
+    expect_accepted(swimmer_toml, {open, "fluid.inertia=none", "head.motion=fixed"});
+  }
+
+  TEST(SceneRules, HeadsNeedAThickness)
+  {
+    expect_refused({"head.size_m=[1e-300, 1.5e-3]"}, "[head] size_m = [1e-300, 0.0015] m is too thin to be meshed");
+    expect_accepted(swimmer_toml, {"head.size_m=[1e-8, 1.5e-3]"});
+  }
+
   TEST(SceneRules, InflowsNeedAnOutflow)
   {
     expect_refused({"domain.walls.right=no-slip", "domain.walls.left={condition=\"inflow\", speed_m_s=1}"},
