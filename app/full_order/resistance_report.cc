@@ -85,6 +85,14 @@ namespace swimtwin
       }
     }
 
+    void refuse_if_nothing_resists(const Scene &scene)
+    {
+      if (scene.domain && !scene.domain->has_holding_wall())
+        throw InputError(scene.name +
+                         ": [domain.walls] leaves every wall traction-free: nothing resists fluid and body "
+                         "that move along together; make one of them \"no-slip\"");
+    }
+
     template <int dim>
     void compute_and_report(const Scene &scene, const CommonOptions &common)
     {
@@ -106,6 +114,7 @@ namespace swimtwin
 
   void resistance_and_report(const Scene &scene, const CommonOptions &common)
   {
+    refuse_if_nothing_resists(scene);
     work_in_folder_together(
         output_request(common, written_by::resistance(), files_of(common, scene)), [&](const Begun &) {
           scene.dimension == 3 ? compute_and_report<3>(scene, common) : compute_and_report<2>(scene, common);

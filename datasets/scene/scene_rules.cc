@@ -300,10 +300,12 @@ namespace swimtwin
         check_wall(document, domain, name, wall);
       check_inflow_has_outflow(document, domain);
       check_moving_domain(document, scene);
-      if (!domain.has_holding_wall() && scene.head.is_free() && !inertia_terms(scene).unsteady)
-        document.refuse("domain", "walls",
-                        "leaves every wall traction-free: without inertia nothing keeps fluid and "
-                        "swimmer from moving along together; make one of them \"no-slip\".");
+      const InertiaTerms terms = inertia_terms(scene);
+      if (!domain.has_holding_wall() && scene.head.is_free() && !terms.unsteady && !terms.of_body())
+        document.refuse(
+            "domain", "walls",
+            "leaves every wall traction-free: without inertia nothing keeps fluid and "
+            "swimmer from moving along together; make one of them \"no-slip\", or set [fluid] inertia = \"full\".");
     }
 
     void check_clearance(const TomlDocument &document, const Scene &scene)

@@ -38,12 +38,6 @@ namespace swimtwin
 
   namespace
   {
-    std::string shorter_steps(const Scene &scene)
-    {
-      return scene.time.is_steady ? "leave out [time] steady and follow the flow in time"
-                                  : "raise [time] steps_per_period (or steps)";
-    }
-
     /// The scene's own, of what may be larger than it was meant.
     std::string what_drives(const Scene &scene)
     {
@@ -70,6 +64,12 @@ namespace swimtwin
       return scene.head.surface ? "mesh the body's surface finer" : "refine [numerics] mesh_size_m";
     }
   } // namespace
+
+  std::string shorter_steps(const Scene &scene)
+  {
+    return scene.time.is_steady ? "leave out [time] steady and follow it in time"
+                                : "raise [time] steps_per_period (or steps)";
+  }
 
   std::string remedy(const StepOutcome outcome, const Scene &scene)
   {

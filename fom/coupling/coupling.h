@@ -25,6 +25,7 @@ namespace swimtwin
   /// One clause each for a message: what went wrong, and what the user can do about it.
   std::string cause(StepOutcome outcome);
   std::string remedy(StepOutcome outcome, const Scene &scene);
+  std::string shorter_steps(const Scene &scene); ///< what to change to have them
 
   /// One implicit step of a two-step formula: what is advanced = known + slope_weight * its rate, both at its end.
   /// Advanced are the angle, the shape and the middle of the body, from which the head's centre follows, and, with

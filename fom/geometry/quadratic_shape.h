@@ -2,15 +2,13 @@
 // deal.II's general polynomials (isoparametric_cell.h tabulates those once).
 #pragma once
 
+#include <datasets/surface/simplex_edges.h>
 #include <fom/geometry/simplex_mesh.h>
 
 #include <deal.II/base/tensor.h>
 
 namespace swimtwin
 {
-  /// Vertices of a cell's edges, in the order of their middles among the cell's nodes; a triangle has the first three.
-  inline constexpr unsigned int edge_ends[6][2] = {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
-
   /// Values and gradients with respect to reference coordinates, of all nodes.
   template <int dim>
   struct QuadraticShape
@@ -41,7 +39,7 @@ namespace swimtwin
     }
     for (unsigned int e = 0; e + dim + 1 < n_cell_nodes<dim>; ++e)
     {
-      const auto &[a, b]          = edge_ends[e];
+      const auto &[a, b]          = simplex_edges[e];
       shape.value[dim + 1 + e]    = 4. * l[a] * l[b];
       shape.gradient[dim + 1 + e] = 4. * (l[a] * slope[b] + l[b] * slope[a]);
     }

@@ -1,6 +1,6 @@
 #include <fom/mesh/inverted_element.h>
 
-#include <fom/geometry/quadratic_shape.h>
+#include <datasets/surface/simplex_edges.h>
 
 #include <fmt/format.h>
 
@@ -41,7 +41,7 @@ namespace swimtwin
       CurvedEdge most{0., 0., 0.};
       for (unsigned int e = 0; e + dim + 1 < n_cell_nodes<dim>; ++e)
       {
-        const Point<dim> &a = x[edge_ends[e][0]], &b = x[edge_ends[e][1]];
+        const Point<dim> &a = x[simplex_edges[e][0]], &b = x[simplex_edges[e][1]];
         const double      bulge = (x[dim + 1 + e] - .5 * (a + Tensor<1, dim>(b))).norm();
         if (bulge > most.bulge_m)
           most = {a.distance(b), bulge, height_above<dim>(x, a, b)};

@@ -25,9 +25,6 @@ namespace swimtwin
     if (solver.is_iterative()) // of the residual: below that a large system's is round-off
       solver.aim_at(1e-11);
 
-    if (!scene.domain->has_holding_wall())
-      throw InputError(scene.name + ": [domain.walls] leaves every wall traction-free: nothing resists fluid and body "
-                                    "that move along together; make one of them \"no-slip\"");
     // Unit loads give the columns of the mobility.
     const auto        &motions = system.motions();
     const int          n       = motions.size();

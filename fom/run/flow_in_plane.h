@@ -7,7 +7,7 @@
 namespace swimtwin
 {
   /// Whether the flow is kept after this step of a time grid: at the quarters and the end of the last full period;
-  /// without one, of the whole run.
+  /// without one, of the whole run. A period has steps.
   bool is_flow_instant(int n_steps, int steps_per_period, int step);
 
   /// Of an instant with a fluid that was solved for. One rank can do it without the others.

@@ -23,8 +23,9 @@ namespace swimtwin
   namespace
   {
     /// One core, MUMPS with OpenBLAS: CPU time per coupling iteration and memory against unknowns. 2D: as measured by
-    /// bench/work-precision on the shipped reference scene; 3D: by bench/three-dimensions/costs precision, from 18,000
-    /// to 57,000 unknowns (docs/benchmarks.md). Both halves of a body in space fill their factors more than one does.
+    /// bench/work-precision on the shipped reference scene; 3D: by bench/three-dimensions/costs, from 18,000 to
+    /// 87,000 unknowns (docs/benchmarks.md, docs/study.md). Both halves of a body in space fill their factors more than
+    /// one does.
     double seconds_per_iteration(const double n_unknowns, const Scene &scene)
     {
       if (scene.dimension == 2)
@@ -48,7 +49,7 @@ namespace swimtwin
     /// Largest sizes that were measured: docs/stress.md, and above.
     double n_unknowns_measured(const int dimension)
     {
-      return dimension == 3 ? 57e3 : 210e3;
+      return dimension == 3 ? 87e3 : 210e3;
     }
 
     /// Of the tail's tip when the swimmer follows the field's direction.

@@ -9,6 +9,8 @@
 #include <fom/fluid/flow_transfer.h>
 #include <fom/step/step_formula.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -76,8 +78,7 @@ namespace swimtwin
     start_at_rest();
     if (scene.fluid)
     {
-      if (!remesh())
-        throw InputError(scene.name + ": " + why_no_mesh_);
+      mesh_at_start();
       counts_.n_remeshes = 0; // the first mesh is not a remeshing
     }
     else
@@ -255,7 +256,7 @@ namespace swimtwin
               << "the head, lower the field, or end the run before";
     else if ((outcome == StepOutcome::mesh_inverted || outcome == StepOutcome::mesh_motion_failed) &&
              !why_no_mesh_.empty())
-      message << "a new one was not to be had, for " << why_no_mesh_ << ", or raise [time] steps_per_period";
+      message << "a new one was not to be had, for " << why_no_mesh_ << ", or " << shorter_steps(scene_);
     else
       message << remedy(outcome, scene_);
     throw ComputationError(message.str());
@@ -320,6 +321,28 @@ namespace swimtwin
   }
 
   template <int dim>
+  void FullOrderModel<dim>::mesh_at_start()
+  {
+    // At rest the scene's settings were to blame already; a tail that begins bent is the scene's doing, too.
+    const bool is_told = scene_.tail && scene_.tail->is_driven();
+    try
+    {
+      if (!remesh())
+        throw ComputationError(why_no_mesh_);
+    }
+    catch (const OutOfMemory &)
+    {
+      throw;
+    }
+    catch (const ComputationError &error)
+    {
+      if (!is_told)
+        throw;
+      throw InputError(fmt::format("{}: {}", scene_.name, error.what()));
+    }
+  }
+
+  template <int dim>
   bool FullOrderModel<dim>::remesh()
   {
     const ScopedCpuTime time(counts_.remeshing_cpu_s);
@@ -330,6 +353,10 @@ namespace swimtwin
       if (fluid_ && fluid_->inertia().of_fluid())
         fluid->set_past(transfer_past(*fluid_, *fluid));
       use_fluid(std::move(fluid));
+    }
+    catch (const OutOfMemory &)
+    {
+      throw;
     }
     catch (const ComputationError &error)
     {

@@ -1,5 +1,5 @@
+#include <datasets/surface/simplex_edges.h>
 #include <rom/sweep/tail_mass_matrix.h>
-#include <rom/swimmer/simplex_edges.h>
 
 #include <array>
 #include <cmath>

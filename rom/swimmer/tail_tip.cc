@@ -1,4 +1,4 @@
-#include <rom/swimmer/simplex_edges.h>
+#include <datasets/surface/simplex_edges.h>
 #include <rom/swimmer/tail_tip.h>
 
 #include <cmath>

@@ -104,6 +104,16 @@ namespace swimtwin
     EXPECT_GT(matrix(1, 1), matrix(0, 0));
   }
 
+  TEST(Verbs, ResistanceNeedsAWallThatHoldsTheFluid)
+  {
+    const TemporaryFolder folder;
+    expect_failure(run_verb("resistance",
+                            short_run.with({"fluid.inertia=full", "domain.walls.top=traction-free",
+                                            "domain.walls.bottom=traction-free"}),
+                            {"--output", (folder.path / "matrix").string()}),
+                   2, {"[domain.walls] leaves every wall traction-free", "no-slip"});
+  }
+
   // Of factors that are kept beside new ones, too, which short runs do not have.
   TEST(Verbs, PlanTellsTheMemoryThatARunTakes)
   {

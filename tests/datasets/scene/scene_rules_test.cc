@@ -261,7 +261,8 @@ namespace swimtwin
     const std::string open = "domain.walls={left=\"traction-free\", right=\"traction-free\", "
                              "bottom=\"traction-free\", top=\"traction-free\"}";
     expect_refused({open, "fluid.inertia=none"}, "[domain.walls] leaves every wall traction-free");
-    expect_accepted(swimmer_toml, {open, "fluid.inertia=full"});
+    for (const char *inertia : {"fluid.inertia=full", "fluid.inertia=[\"head\"]"})
+      expect_accepted(swimmer_toml, {open, inertia});
     expect_accepted(swimmer_toml, {open, "fluid.inertia=none", "domain.walls.top=no-slip"});
     expect_accepted(swimmer_toml, {open, "fluid.inertia=none", "head.motion=fixed"});
   }

@@ -134,7 +134,7 @@ namespace swimtwin
       EXPECT_NEAR(rows[held.map.head_row(k)], expected[free.map.head_row(k)], rounding);
   }
 
-  // An image, or the middle of a linear tail's edge, has what it follows, and not that and its own.
+  // An image has what it follows, and not that and its own.
   TYPED_TEST(MotionMapTest, AGivenShapeIsNotAddedTwice)
   {
     constexpr int  dim = TestFixture::dimension;
