@@ -293,6 +293,16 @@ namespace swimtwin
             "does not go with a shear flow that has inertia; set [fluid] inertia = \"none\", or remove it.");
     }
 
+    void check_fluid_is_held(const TomlDocument &document, const Scene &scene)
+    {
+      const InertiaTerms terms = inertia_terms(scene);
+      if (!scene.domain->has_holding_wall() && scene.head.is_free() && !terms.unsteady && !terms.of_body())
+        document.refuse(
+            "domain", "walls",
+            "leaves every wall traction-free: without inertia nothing keeps fluid and "
+            "swimmer from moving along together; make one of them \"no-slip\", or set [fluid] inertia = \"full\".");
+    }
+
     void check_walls(const TomlDocument &document, const Scene &scene)
     {
       const Domain &domain = *scene.domain;
@@ -300,12 +310,7 @@ namespace swimtwin
         check_wall(document, domain, name, wall);
       check_inflow_has_outflow(document, domain);
       check_moving_domain(document, scene);
-      const InertiaTerms terms = inertia_terms(scene);
-      if (!domain.has_holding_wall() && scene.head.is_free() && !terms.unsteady && !terms.of_body())
-        document.refuse(
-            "domain", "walls",
-            "leaves every wall traction-free: without inertia nothing keeps fluid and "
-            "swimmer from moving along together; make one of them \"no-slip\", or set [fluid] inertia = \"full\".");
+      check_fluid_is_held(document, scene);
     }
 
     void check_clearance(const TomlDocument &document, const Scene &scene)

@@ -73,7 +73,7 @@ namespace swimtwin
     void              advance_to_steady_state();
     bool              wants_remeshing() const;
     void              mesh_at_start(); ///< throws InputError where a given shape cannot be meshed
-    bool              remesh(); ///< false if the new mesh would have an element inside out; the old one then stays
+    bool              remesh();        ///< false if it failed for the place (mesh_around.h); the old mesh then stays
     void              use_fluid(std::unique_ptr<FluidDomain<dim>> fluid);
     void              solve_initial_flow();
     PowerBalance      compute_balance(const std::optional<BodyVelocities<dim>> &acceleration = {}) const;

@@ -86,8 +86,8 @@ namespace swimtwin
     }
   }
 
-  // Meshes in space are no images of themselves in y -> -y; shapes are, but for their interpolation and their error
-  // beside the clamp, where stress is singular: both are less on a finer mesh.
+  // Meshes in space are no images of themselves in y -> -y; shapes are, but for their interpolation, which is less
+  // off on a finer mesh: half the sizes are 1.3 times the nodes.
   TEST(BentTailInSpace, OfTheOtherSideIsItsImage)
   {
     const auto [coarse, coarse_twice] = differences_of_images(cone(2));
